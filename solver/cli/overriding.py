@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 
 @dataclass
 class Overriding:
-    """The changes, if there are any; `code` is 2 where some of them do not fit."""
+    """The changes to papers of an exam, if there are any; `code` is 2 where some of them do not fit."""
 
+    exam: Exam
     changes: Changes | None = None
     code: int = SOLVED
 
@@ -30,7 +31,7 @@ class Overriding:
 
         if self.changes is None or graded.marking is None:
             return graded
-        found = self.changes.of(*names_of(graded.file, graded.student))
+        found = self.changes.of(*names_of(self.exam, graded.file, graded.student))
         if found is None:
             return graded
         try:
@@ -47,16 +48,17 @@ def overriding(file: str | None, exam: Exam, papers: Sequence[tuple[str, str]]) 
     Raises InputError where the file is wrong, or names parts or answers that the exam has not; keys that name no paper
     are told.
     """
-    from solver.papers.exam.overriding import names_of, parts_of
+    from solver.papers.exam.overriding import as_the_class_writes, names_of, parts_of
 
     if file is None:
-        return Overriding()
-    changes = read_changes(source_of(file))
-    names = [names_of(*paper) for paper in papers]
+        return Overriding(exam)
+    names = [names_of(exam, *paper) for paper in papers]
+    students = exam.students or tuple(dict.fromkeys(student for _, student in papers if student))
+    changes = as_the_class_writes(read_changes(source_of(file)), names, students)
     strangers = changes.strangers(names)
     for each in names:
         if (found := changes.of(*each)) is not None:
             changes.refuse_unknown(found, parts_of(exam), "exam")
     if strangers:
         click.echo(InputError(changes.source, strangers).render(), err=True)
-    return Overriding(changes, INPUT_AT_FAULT if strangers else SOLVED)
+    return Overriding(exam, changes, INPUT_AT_FAULT if strangers else SOLVED)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from solver.classroom.changed import changed
-from solver.classroom.reading.change_file import StudentChanges
+from solver.classroom.reading.change_file import Changes, StudentChanges
 from solver.papers.exam.grades import Graded
 from solver.papers.exam.model import Exam
+from solver.papers.exam.whose import spelt_alike
 from solver.problem.model import Part
+from solver.problem.source import InputError, Report
 
 
 def parts_of(exam: Exam) -> Mapping[str, Part]:
@@ -18,10 +20,35 @@ def parts_of(exam: Exam) -> Mapping[str, Part]:
     return {f"{each.number}.{part.id}": part for each in exam.questions for part in each.problem.parts}
 
 
-def names_of(file: str, student: str) -> list[str]:
-    """Return what an instructor may call a paper: the file, its name with and without the ending, the student."""
+def names_of(exam: Exam, file: str, student: str) -> list[str]:
+    """Return what an instructor may call a paper: the file, its name with and without the ending, the student.
+
+    The name of a student of the class is that of no other one's file.
+    """
     path = Path(file)
-    return [name for name in (file, path.name, path.stem, student) if name]
+    names = [name for name in (file, path.name, path.stem) if name not in exam.students or name == student]
+    return [*names, *filter(None, [student])]
+
+
+def as_the_class_writes(changes: Changes, papers: Sequence[Sequence[str]], students: Sequence[str]) -> Changes:
+    """Return the changes by the names of students as the class writes them, matched as those of answer files are.
+
+    Names of files stay as they are. Raises InputError where a name may be that of several students, or stands twice.
+    """
+    files, found, report = {name for names in papers for name in names}, dict[str, StudentChanges](), Report()
+    for name, each in changes.students.items():
+        with report:
+            alike = spelt_alike(name, students)
+            if len(alike) > 1 and name not in files:
+                note = "write the name as the class writes it"
+                raise each.key.fault(f"'{name[:40]}' may be {' or '.join(alike)}", note=note)
+            written = alike[0] if len(alike) == 1 and name not in files else name
+            if written in found:
+                raise each.key.fault(f"'{name[:40]}' is changed under another name too")
+            found[written] = each
+    if report.diagnostics:
+        raise InputError(changes.source, report.diagnostics)
+    return replace(changes, students=found)
 
 
 def with_changes(graded: Graded, changes: StudentChanges) -> Graded:
