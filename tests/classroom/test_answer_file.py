@@ -97,7 +97,7 @@ def test_lists_over_several_lines_are_left_as_they_are():
     [
         ("K_f", ["K", "P"], "K"),
         ("K", ["K_f", "P"], "K_f"),
-        ("K_1", ["K_f", "K_e"], ""),
+        ("K", ["K_f", "K_e"], ""),
         ("_f", ["K"], ""),
         ("eigenvaluse", ["eigenvalues", "multiplicities"], "eigenvalues"),
     ],
