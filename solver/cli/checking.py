@@ -15,7 +15,8 @@ from solver.classroom.report.table import as_csv, columns_of
 from solver.cli.bugs import report_bug
 from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
-from solver.cli.grading import check_exam, exam_of, passed_over
+from solver.cli.grading import check_exam
+from solver.cli.handed_in import exam_of, passed_over
 from solver.cli.papers import CheckRequest, Paper, Problems, files_in, told_apart
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
@@ -41,6 +42,7 @@ def check_files(request: CheckRequest) -> int:
     meter = Meter(len(files))
     problems = Problems(request, meter)
     papers = [problems.paper(file, problem) for file in files]
+    problems.tell_nameless()
     if request.syntax:
         return tell_readings(papers, problems)
     try:

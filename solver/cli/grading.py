@@ -4,76 +4,32 @@ from __future__ import annotations
 
 import json
 import sys
-from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from solver.classroom.reading.answer_file import root_of_answers
 from solver.classroom.report.data import as_data
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number
-from solver.classroom.syntax import Readings
 from solver.cli.delivery import Delivery
-from solver.cli.destination import STANDARD, AtFault, write_changed, write_whole
-from solver.cli.named import named_in
+from solver.cli.destination import STANDARD, write_changed, write_whole
+from solver.cli.handed_in import Read, read_paper, source_of_exam
 from solver.cli.overriding import overriding
-from solver.cli.papers import CheckRequest, submitted
+from solver.cli.papers import CheckRequest
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
-from solver.cli.syntax import Told, tell
+from solver.cli.syntax import tell
 from solver.messages import Messages
 from solver.problem.source import InputError
-from solver.problem.yaml_tree import parse_yaml
-from solver.words import Phrase
-
-NO_EXAM = "-"
-"""Stands for answers to one problem among what answer files name."""
 
 if TYPE_CHECKING:
-    from solver.classroom import Marking
     from solver.executors import Executor
-    from solver.limits import Exceeded
     from solver.papers.exam.grades import Graded
     from solver.papers.exam.marking import Solutions, Worked
     from solver.papers.exam.model import Exam
-    from solver.papers.exam.submitted import ExamSubmission
     from solver.problem.model import Problem
-
-
-def exam_of(problem: str | None, files: Sequence[str]) -> str | None:
-    """Return the exam that is named, or that most answer files name; None where answers are to one problem."""
-    from solver.papers.exam.reading import is_exam
-
-    if problem is not None:
-        if problem == STANDARD:
-            return None
-        try:
-            return problem if is_exam(parse_yaml(source_of(problem))) else None
-        except InputError:
-            return None  # what is wrong is told where it is read
-    named = Counter(filter(None, map(_exam_named_in, files)))
-    found, _ = named.most_common(1)[0] if named else (NO_EXAM, 0)
-    return found if found != NO_EXAM else None
-
-
-def _exam_named_in(file: str) -> str:
-    """Return the exam that an answer file names, `NO_EXAM` where it names none, "" where that cannot be known."""
-    try:
-        named = named_in(submitted(file), "exam", file) if file != STANDARD else ""
-    except InputError:  # it is told where the file is read
-        return ""
-    return named or NO_EXAM
-
-
-def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
-    """Return the files of folders that are not read since they do not end in .yaml; hidden ones are none."""
-    read = {Path(file).resolve() for file in files if file != STANDARD}
-    inside = [path for name in named if Path(name).is_dir() for path in sorted(Path(name).iterdir())]
-    return [str(path) for path in inside if path.is_file() and path.resolve() not in read and path.name[0] != "."]
 
 
 def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: Sequence[str] = ()) -> int:
@@ -86,11 +42,11 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     from solver.papers.exam.reading import read_exam
 
     try:
-        exam = read_exam(source_of(file))
+        exam = read_exam(source_of(file) if file in request.files else source_of_exam(file, files))
     except InputError as error:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
-    read = [_read(name, exam, "" if file in request.files else file) for name in files]
+    read = [read_paper(name, exam, "" if file in request.files else file) for name in files]
     papers = [each.submission for each in read if each.submission is not None]
     try:
         named = [(each.name, each.submission.student if each.submission else "") for each in read]
@@ -134,7 +90,7 @@ def _write_report(request: CheckRequest, exam: Exam, graded: Sequence[Graded], s
     click.echo(f"wrote {request.report}", err=True)
 
 
-def _tell_readings(request: CheckRequest, read: Sequence[_Read], solutions: Solutions, executor: Executor) -> int:
+def _tell_readings(request: CheckRequest, read: Sequence[Read], solutions: Solutions, executor: Executor) -> int:
     """Say how the values of each file are read; return the worst exit code."""
     from solver.papers.exam.marking import read_as
 
@@ -151,61 +107,6 @@ def _prepared(request: CheckRequest, problem: Problem) -> Problem:
 
     told = request.presentation.of(problem)
     return ruled(told, request.partial, catalogue()) if request.partial else told
-
-
-@dataclass(frozen=True)
-class _Read:
-    """An answer file and what it says, or why it cannot be read."""
-
-    name: str
-    submission: ExamSubmission | None = None
-    fault: str = ""
-
-    def graded(self, markings: Iterator[tuple[Marking, ...]]) -> Graded:
-        """Return it with its marking, the next one where it could be read."""
-        from solver.papers.exam.grades import Graded
-        from solver.papers.exam.marking import together
-
-        if self.submission is None:
-            return Graded(self.name, fault=self.fault)
-        student, of_questions = self.submission.student, next(markings)
-        whole = together(student, of_questions)
-        return Graded(self.name, student, self.submission.variant, whole, of_questions=of_questions)
-
-    def told(self, request: CheckRequest, found: Iterator[Readings | Exceeded], solutions: Solutions) -> Told:
-        """Return how its values are read, the next ones where it could be read."""
-        if self.submission is None:
-            return Told(self.name, fault=self.fault, code=INPUT_AT_FAULT)
-        readings = next(found)
-        display = solutions[self.submission.variant][0].problem.display
-        messages = Messages(request.templates, display.language, display.notation)
-        name = f"{self.name}, {messages.say(Phrase('Variant {number}', number=self.submission.variant))}"
-        if isinstance(readings, Readings):
-            return Told.of(self.name if request.format == "json" else name, readings, messages)
-        fault = messages.say(readings.reason)
-        click.echo(f"{self.name}: error: {fault}", err=True)
-        return Told(self.name, fault=fault, code=UNSOLVED)
-
-
-def _read(name: str, exam: Exam, followed: str) -> _Read:
-    """Read an answer file; what is wrong with it becomes words on standard error.
-
-    Where the exam is `followed`, and not named on the command line, a file that names another one is at fault.
-    """
-    from solver.papers.exam.submitted import read_exam_submission
-
-    try:
-        source = submitted(name)
-        if followed and named_in(source, "exam", name) not in {"", followed}:
-            message = f"it names another exam than most files, which answer {followed}"
-            raise InputError(source, [root_of_answers(source)["exam"].diagnostic(message)])
-        return _Read(name, read_exam_submission(source, exam))
-    except InputError as error:
-        fault = error.render()
-    except AtFault as error:
-        fault = f"{name}: error: {error.format_message()}"
-    click.echo(fault, err=True)
-    return _Read(name, fault=fault)
 
 
 def _tell(request: CheckRequest, graded: Sequence[Graded]) -> None:
@@ -249,7 +150,7 @@ def _write_sheets(
 
 def _data(each: Graded) -> dict[str, Any]:
     if each.marking is None:
-        return {"file": each.file, "student": "", "error": each.fault}
+        return {"file": each.file, "student": each.student, "error": each.fault}
     return {"file": each.file, "variant": each.variant, "student": each.student, **as_data(each.marking)}
 
 
@@ -269,21 +170,21 @@ def _text(request: CheckRequest, each: Graded) -> str:
 
 def _conclude(request: CheckRequest, exam: Exam, graded: Sequence[Graded]) -> int:
     """Write the table, say which files cannot be read and of whom there is none; return the worst exit code."""
-    from solver.papers.exam.grades import grades_table, missing
+    from solver.papers.exam.grades import grades_table, missing, several_of, unmarked
 
     if request.table:
         write_whole(Path(request.table), grades_table(exam, graded).encode())
         click.echo(f"wrote {request.table}", err=True)
-    unread = [each.file for each in graded if each.marking is None]
     markings = [each.marking for each in graded if each.marking is not None]
-    students = [each.student for each in graded if each.marking is not None and each.student]
-    for student in dict.fromkeys(each for each in students if students.count(each) > 1):
-        click.echo(f"several files of {student} were marked", err=True)
-    if unread:
-        click.echo(f"not readable: {', '.join(unread)}", err=True)
+    for student, files in several_of(graded).items():
+        click.echo(f"several files of {student} were marked: {', '.join(files)}", err=True)
+    if blank := [each.file for each in graded if each.is_blank]:
+        click.echo(f"nothing is answered in: {', '.join(blank)}", err=True)
+    for status, files in unmarked(graded).items():
+        click.echo(f"{status}: {', '.join(files)}", err=True)
     if absent := missing(exam, graded):
         click.echo(f"no file of: {', '.join(absent)}", err=True)
     click.echo(f"marked {len(markings)} of {len(graded)} files", err=True)
-    if unread:
+    if len(markings) < len(graded):
         return INPUT_AT_FAULT
     return SOLVED if all(each.all_right for each in markings) else UNSOLVED

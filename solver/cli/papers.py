@@ -25,6 +25,9 @@ from solver.problem.source import Diagnostic, InputError, Source
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
 
+NAMES_NOTHING = "it names no problem; call solve check PROBLEM ANSWERS, or EXAM for an exam, or add the key 'problem'"
+SHOWN = 3
+
 
 @dataclass(frozen=True, slots=True)
 class CheckRequest:
@@ -116,12 +119,15 @@ class Problems:
         self.meter = meter
         self.solved: dict[str, Solved] = {}
         self.solutions: dict[str, Solution] = {}
+        self.nameless: dict[str, list[tuple[str, str]]] = {}
 
     def paper(self, file: str, problem: str | None) -> Paper:
         """Read an answer file; what is wrong with it becomes words on standard error, and a code."""
         try:
             source = submitted(file)
-            name = problem or _named(source, file)
+            name = problem or self._named(source, file)
+            if not name:
+                return Paper(file, code=INPUT_AT_FAULT, fault=self._why_nameless(file))
             return Paper(file, name, read_submission(source, self.solution(name).problem))
         except InputError as error:
             fault, code = error.render(), INPUT_AT_FAULT
@@ -129,6 +135,31 @@ class Problems:
             fault, code = f"{file}: error: {error.format_message()}", error.exit_code
         click.echo(fault, err=True)
         return Paper(file, code=code, fault=fault)
+
+    def _named(self, source: Source, file: str) -> str:
+        """Return the problem that a file names, "" where it names none that is followed: that is told once for all."""
+        try:
+            if name := named_in(source, "problem", file):
+                return name
+            named_in(source, "exam", file)  # what is wrong with it is the reason
+        except InputError as error:
+            why = "\n".join(f"{each.message} {each.note}" for each in error.diagnostics)
+            self.nameless.setdefault(why, []).append((file, error.render()))
+            return ""
+        fault = f"{file}: error: {NAMES_NOTHING}"
+        self.nameless.setdefault(NAMES_NOTHING, []).append((file, fault))
+        return ""
+
+    def _why_nameless(self, file: str) -> str:
+        return next(fault for found in self.nameless.values() for each, fault in found if each == file)
+
+    def tell_nameless(self) -> None:
+        """Tell of files that name no problem why that is, once where it is the same."""
+        for (_, fault), *others in self.nameless.values():
+            click.echo(fault, err=True)
+            if others:
+                names = ", ".join(file for file, _ in others[:SHOWN]) + (", …" if others[SHOWN:] else "")
+                click.echo(f"the same in {len(others)} more of the files: {names}", err=True)
 
     def solution(self, name: str) -> Solution:
         """Return the solved problem; raises InputError."""
@@ -158,12 +189,3 @@ def submitted(file: str) -> Source:
         message = "it is a link that leads out of its folder, and is not followed"
         raise InputError(Source(file, ""), [Diagnostic(message, note="put the file itself there")])
     return source_of(file)
-
-
-def _named(source: Source, file: str) -> str:
-    """Return the problem that an answer file names; raises InputError where it is not to be followed."""
-    name = named_in(source, "problem", file)
-    if not name:
-        named_in(source, "exam", file)  # what is wrong with it is the reason
-        raise AtFault("it names no problem; call solve check PROBLEM ANSWERS, or add the key 'problem'")
-    return name

@@ -99,7 +99,11 @@ class InputError(Exception):
 
     def render(self) -> str:
         """Return all errors, each with its place; at most 20 are shown."""
-        shown = [each.render(self.source) for each in self.diagnostics[:SHOWN_AT_MOST]]
+        return self.first(SHOWN_AT_MOST)
+
+    def first(self, at_most: int) -> str:
+        """Return so many errors, each with its place, and how many more there are."""
+        shown = [each.render(self.source) for each in self.diagnostics[:at_most]]
         hidden = len(self.diagnostics) - len(shown)
         return "\n".join([*shown, f"and {hidden} more"] if hidden else shown)
 

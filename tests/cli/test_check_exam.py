@@ -90,24 +90,23 @@ def test_a_student_of_a_class_needs_no_variant_and_no_file_is_lost(solve, hand_i
     assert "in/ben.yaml:2:10: error: =Ben has variant 2, not 1" in done.err
     assert "in/who.yaml:1:10: error: 'Zoe' is no student of this class" in done.err
     assert "in/bad.yaml:" in done.err
-    assert "not readable: in/bad.yaml, in/ben.yaml, in/who.yaml" in done.err
+    assert "not readable: in/bad.yaml\nvariant does not fit: in/ben.yaml\nunknown student: in/who.yaml\n" in done.err
     assert "in/photo.jpg" in done.err
-    assert "no file of: =Ben, Cleo" in done.err
+    assert "no file of: Cleo\n" in done.err
     data = json.loads(done.out)
     assert [(each["file"], each["student"], "error" in each) for each in data] == [
         ("in/anna.yaml", "Anna", False),
         ("in/bad.yaml", "", True),
-        ("in/ben.yaml", "", True),
-        ("in/who.yaml", "", True),
+        ("in/ben.yaml", "=Ben", True),
+        ("in/who.yaml", "Zoe", True),
     ]
     assert data[0]["parts"][0]["id"] == "1.f"
     rows = table(tmp_path / "grades.csv")
     assert [(row["file"], row["student"], row["total"]) for row in rows] == [
         ("in/anna.yaml", "Anna", "36.66"),
         ("in/bad.yaml", "", "not readable"),
-        ("in/ben.yaml", "", "not readable"),
-        ("in/who.yaml", "", "not readable"),
-        ("", "'=Ben", "no file"),
+        ("in/ben.yaml", "'=Ben", "variant does not fit"),
+        ("in/who.yaml", "Zoe", "unknown student"),
         ("", "Cleo", "no file"),
     ]
 

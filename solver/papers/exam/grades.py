@@ -14,12 +14,15 @@ from solver.classroom.report.table import harmless
 from solver.classroom.report.words import number
 from solver.papers.exam.model import Exam
 
+NOT_READABLE = "not readable"
+
 
 @dataclass(frozen=True, slots=True)
 class Graded:
-    """An answer file by its name, with its variant and marking, or `fault`: why it cannot be read.
+    """An answer file by its name, with its variant and marking, or `fault`: why it cannot be marked.
 
-    `marking` is that of all questions together, `of_questions` are those of each.
+    `marking` is that of all questions together, `of_questions` are those of each. Of a file that is not marked `status`
+    is the reason in two words, and `student` whose it may be.
     """
 
     file: str
@@ -28,12 +31,42 @@ class Graded:
     marking: Marking | None = None
     fault: str = ""
     of_questions: tuple[Marking, ...] = ()
+    status: str = NOT_READABLE
+
+    @property
+    def is_blank(self) -> bool:
+        """Whether it was marked, and nothing is answered in it."""
+        return self.marking is not None and not any(part.answers for part in self.marking.parts)
 
 
 def missing(exam: Exam, graded: Sequence[Graded]) -> list[str]:
-    """Return the students of the class of whom there is no file that can be read."""
-    there = {each.student for each in graded if each.marking is not None}
+    """Return the students of the class of whom there is no file, not even one that is not marked."""
+    there = {each.student for each in graded}
     return [student for student in exam.students if student not in there]
+
+
+def several_of(graded: Sequence[Graded]) -> dict[str, list[str]]:
+    """Return the students of whom several files were marked, with these: which one counts, a person decides."""
+    files: dict[str, list[str]] = {}
+    for each in graded:
+        if each.marking is not None and each.student:
+            files.setdefault(each.student, []).append(each.file)
+    return {student: names for student, names in files.items() if len(names) > 1}
+
+
+def counted(graded: Sequence[Graded]) -> list[Graded]:
+    """Return the marked files that the spread of marks counts: those of students who handed in one."""
+    several = several_of(graded)
+    return [each for each in graded if each.marking is not None and each.student not in several]
+
+
+def unmarked(graded: Sequence[Graded]) -> dict[str, list[str]]:
+    """Return the files that were not marked, by the reason in two words."""
+    found: dict[str, list[str]] = {}
+    for each in graded:
+        if each.marking is None:
+            found.setdefault(each.status, []).append(each.file)
+    return found
 
 
 def grades_table(exam: Exam, graded: Sequence[Graded]) -> str:
@@ -42,13 +75,14 @@ def grades_table(exam: Exam, graded: Sequence[Graded]) -> str:
     writer = csv.writer(content, lineterminator="\n")
     names = [name for each in exam.questions for name in (*_parts(each.number, exam), str(each.number))]
     writer.writerow(["file", "student", "variant", *names, "total", "out of", "needs review"])
+    several = several_of(graded)
     for each in graded:
         first = [harmless(each.file), harmless(each.student), each.variant or ""]
         if each.marking is None:
-            writer.writerow([*first, *("" for _ in names), "not readable", "", "yes"])
+            writer.writerow([*first, *("" for _ in names), each.status, "", "yes"])
             continue
         total, of_parts, _ = marks_that_add_up(each.marking)
-        review = "yes" if each.marking.needs_review else "no"
+        review = "yes" if each.marking.needs_review or each.student in several or each.is_blank else "no"
         writer.writerow([*first, *_cells(exam, of_parts), number(total), number(each.marking.out_of), review])
     numbers = {student: place for place, student in enumerate(exam.students, 1)}
     for student in missing(exam, graded):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from solver.classroom.report.words import number
 from solver.messages import Messages
-from solver.papers.exam.grades import Graded, missing
+from solver.papers.exam.grades import Graded, counted, missing, several_of, unmarked
 from solver.papers.exam.marking import Solutions
 from solver.papers.exam.model import Exam
 from solver.papers.exam.statistics import statistics_of
@@ -30,8 +30,10 @@ def report_page(
         exam=exam,
         graded=graded,
         statistics=statistics_of(exam, graded, solutions),
-        marked=sum(each.marking is not None for each in graded),
-        unread=[each for each in graded if each.marking is None],
+        marked=len(counted(graded)),
+        unmarked=unmarked(graded),
+        several=several_of(graded),
+        blank=[each.file for each in graded if each.is_blank],
         missing=missing(exam, graded),
         number=lambda marks: number(Fraction(marks)),
         shown=_shown,

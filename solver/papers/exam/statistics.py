@@ -13,7 +13,7 @@ from fractions import Fraction
 from statistics import StatisticsError, correlation, fmean, median, pstdev
 
 from solver.classroom import Marking
-from solver.papers.exam.grades import Graded
+from solver.papers.exam.grades import Graded, counted
 from solver.papers.exam.marking import Solutions
 from solver.papers.exam.model import Exam
 from solver.papers.exam.wrong import Common, Pair, equal_values, mistakes_made, of_another_variant, pairs_of, wrong_of
@@ -57,9 +57,12 @@ class Statistics:
 
 
 def statistics_of(exam: Exam, graded: Sequence[Graded], solutions: Solutions) -> Statistics | None:
-    """Return what the marks say, None where nothing could be marked."""
+    """Return what the marks say, None where none can be counted.
+
+    Students of several files have their part in mistakes and equal answers, once, and none in the spread of marks.
+    """
     there = [(each, each.marking) for each in graded if each.marking is not None]
-    markings = [marking for _, marking in there]
+    markings = [each.marking for each in counted(graded) if each.marking is not None]
     if not markings:
         return None
     wrong = wrong_of(exam, there, solutions)

@@ -100,7 +100,9 @@ class _Twins:
 
     def asked(self, there: Marked) -> Counter[tuple[str, int]]:
         """Return how many were asked each part of each question."""
-        return Counter((part.id, self.of(part.id, each.variant)) for each, marking in there for part in marking.parts)
+        asked = {(each.student or each.file, part.id, self.of(part.id, each.variant))
+                 for each, marking in there for part in marking.parts}  # fmt: skip
+        return Counter((part, variant) for _, part, variant in asked)
 
 
 def mistakes_made(wrong: Iterable[Wrong]) -> tuple[Common, ...]:
@@ -111,7 +113,10 @@ def mistakes_made(wrong: Iterable[Wrong]) -> tuple[Common, ...]:
 def equal_values(exam: Exam, there: Marked, solutions: Solutions) -> tuple[Common, ...]:
     """Return wrong values that several students share who were asked the same, and nothing explains."""
     twins, wrong = _Twins(exam, solutions), wrong_of(exam, there, solutions)
-    asked, fell = twins.asked(there), Counter((each.name, each.group) for each in wrong)
+    asked, fell = (
+        twins.asked(there),
+        Counter((name, group) for _, name, group in {(each.student, each.name, each.group) for each in wrong}),
+    )
     groups: dict[tuple[str, tuple[str, int], str], list[Wrong]] = {}
     for each in wrong:
         if each.unexplained:

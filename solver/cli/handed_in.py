@@ -1,0 +1,150 @@
+"""What is handed in to an exam: which exam the files answer, and what each of them says, or why it cannot be marked."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from solver.classroom.reading.answer_file import node_naming, root_of_answers
+from solver.classroom.syntax import Readings
+from solver.cli.destination import STANDARD, AtFault
+from solver.cli.named import named_in
+from solver.cli.papers import CheckRequest, submitted
+from solver.cli.solving import INPUT_AT_FAULT, UNSOLVED, source_of
+from solver.cli.syntax import Told
+from solver.messages import Messages
+from solver.problem.source import InputError, Source
+from solver.problem.yaml_tree import parse_yaml
+from solver.words import Phrase
+
+MOST_OF_A_FILE = 3
+"""So many errors of a file are told: who marks a class reads those of many."""
+NO_EXAM = "-"
+"""Stands for answers to one problem among what answer files name."""
+
+if TYPE_CHECKING:
+    from solver.classroom import Marking
+    from solver.limits import Exceeded
+    from solver.papers.exam.grades import Graded
+    from solver.papers.exam.marking import Solutions
+    from solver.papers.exam.model import Exam
+    from solver.papers.exam.submitted import ExamSubmission
+
+
+def exam_of(problem: str | None, files: Sequence[str]) -> str | None:
+    """Return the exam that is named, or that most answer files name; None where answers are to one problem."""
+    from solver.papers.exam.reading import is_exam
+
+    if problem is not None:
+        if problem == STANDARD:
+            return None
+        try:
+            return problem if is_exam(parse_yaml(source_of(problem))) else None
+        except InputError:
+            return None  # what is wrong is told where it is read
+    named = Counter(filter(None, map(_exam_named_in, files)))
+    found, _ = named.most_common(1)[0] if named else (NO_EXAM, 0)
+    return found if found != NO_EXAM else None
+
+
+def _exam_named_in(file: str) -> str:
+    """Return the exam that an answer file names, `NO_EXAM` where it names none, "" where that cannot be known."""
+    try:
+        named = named_in(submitted(file), "exam", file) if file != STANDARD else ""
+    except InputError:  # it is told where the file is read
+        return ""
+    return named or NO_EXAM
+
+
+def source_of_exam(exam: str, files: Sequence[str]) -> Source:
+    """Return the text of an exam that is named, by files or on the command line; raises InputError.
+
+    Where only files name it, what is wrong is told at the first place that does, with the way to call it.
+    """
+    try:
+        return source_of(exam)
+    except InputError as error:
+        naming = [file for file in files if _exam_named_in(file) == exam]
+        if not naming:
+            raise
+        source, said = submitted(naming[0]), error.diagnostics[0]
+        node = node_naming(source, "exam")
+        others = f"; {len(naming) - 1} more of the files name it" if naming[1:] else ""
+        note = f"name it on the command line: solve check EXAM ANSWERS{others}"
+        message = f"the exam {exam[:100]!r}: {said.message}"
+        raise InputError(source, [node.diagnostic(message, said.suggestion, note)] if node else [said]) from None
+
+
+def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
+    """Return the files of folders that are not read since they do not end in .yaml; hidden ones are none."""
+    read = {Path(file).resolve() for file in files if file != STANDARD}
+    inside = [path for name in named if Path(name).is_dir() for path in sorted(Path(name).iterdir())]
+    return [str(path) for path in inside if path.is_file() and path.resolve() not in read and path.name[0] != "."]
+
+
+@dataclass(frozen=True)
+class Read:
+    """An answer file and what it says, or why it cannot be read."""
+
+    name: str
+    submission: ExamSubmission | None = None
+    fault: str = ""
+    student: str = ""
+    status: str = ""
+
+    def graded(self, markings: Iterator[tuple[Marking, ...]]) -> Graded:
+        """Return it with its marking, the next one where it could be read."""
+        from solver.papers.exam.grades import Graded
+        from solver.papers.exam.marking import together
+
+        if self.submission is None:
+            return Graded(self.name, self.student, fault=self.fault, status=self.status)
+        student, of_questions = self.submission.student, next(markings)
+        whole = together(student, of_questions)
+        return Graded(self.name, student, self.submission.variant, whole, of_questions=of_questions)
+
+    def told(self, request: CheckRequest, found: Iterator[Readings | Exceeded], solutions: Solutions) -> Told:
+        """Return how its values are read, the next ones where it could be read."""
+        if self.submission is None:
+            return Told(self.name, fault=self.fault, code=INPUT_AT_FAULT)
+        readings = next(found)
+        display = solutions[self.submission.variant][0].problem.display
+        messages = Messages(request.templates, display.language, display.notation)
+        name = f"{self.name}, {messages.say(Phrase('Variant {number}', number=self.submission.variant))}"
+        if isinstance(readings, Readings):
+            return Told.of(self.name if request.format == "json" else name, readings, messages)
+        fault = messages.say(readings.reason)
+        click.echo(f"{self.name}: error: {fault}", err=True)
+        return Told(self.name, fault=fault, code=UNSOLVED)
+
+
+def read_paper(name: str, exam: Exam, followed: str) -> Read:
+    """Read an answer file; what is wrong with it becomes words on standard error.
+
+    Where the exam is `followed`, and not named on the command line, a file that names another one is at fault.
+    """
+    from solver.papers.exam.grades import NOT_READABLE
+    from solver.papers.exam.submitted import NotPlacedError, read_exam_submission
+    from solver.papers.exam.whose import ANOTHER_EXAM, may_be_of
+
+    root, status = None, NOT_READABLE
+    try:
+        source = submitted(name)
+        root = root_of_answers(source)
+        if followed and named_in(source, "exam", name) not in {"", followed}:
+            status = ANOTHER_EXAM
+            message = f"it names another exam than most files, which answer {followed}"
+            raise InputError(source, [root["exam"].diagnostic(message)])
+        return Read(name, read_exam_submission(source, exam))
+    except InputError as error:
+        fault = error.first(MOST_OF_A_FILE)
+        status = error.status if isinstance(error, NotPlacedError) else status
+    except AtFault as error:
+        fault = f"{name}: error: {error.format_message()}"
+    click.echo(fault, err=True)
+    return Read(name, fault=fault, student=may_be_of(name, root, exam), status=status)
