@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from solver.cli.outcome import INPUT_AT_FAULT, Asked, Outcome, Screen, guarded, outcome_of
@@ -102,20 +103,30 @@ def _read(request: Request, place: int, file: str, screen: Screen) -> File | Out
 
 def _outcomes(executor: Executor, files: Sequence[File], limits: Limits) -> Iterator[tuple[File, Outcome, bool]]:
     """Yield the files and what became of them, as they are found, and whether it lasts: no limit had a part in it."""
-    left = []
+    stopped, left, most = list[File](), list[File](), 0
     for place, outcome in executor.calls(limits, solve_whole, [(file,) for file in files]):
         if isinstance(outcome, Exceeded):
-            left.append(files[place])
+            stopped.append(files[place])
         else:
             yield files[place], outcome, True
-    units = max((sum(1 + len(part.methods) for part in file.problem.parts) for file in left), default=0)
-    wide = Limits(limits.seconds * units + SLACK, UNLIMITED)  # its children keep the limits
+    for file in stopped:  # before they could be read, perhaps
+        if isinstance(units := guarded(file.asked.file, partial(_units_of, file)), Outcome):
+            yield file, units, False
+        else:
+            left.append(file)
+            most = max(most, units)
+    wide = Limits(limits.seconds * most + SLACK, UNLIMITED)  # its children keep the limits
     for place, outcome in executor.calls(wide, solve_by_parts, [(file, limits) for file in left]):
         file = left[place]
         if isinstance(outcome, Exceeded):
             yield file, Outcome(1, err=f"{file.asked.file}: error: {outcome.reason}\n"), False
         else:
             yield file, outcome, outcome.code == 0
+
+
+def _units_of(file: File) -> int:
+    """Return how many times a file that is solved part by part may take the limits; raises InputError."""
+    return sum(1 + len(part.methods) for part in file.problem.parts)
 
 
 def solve_whole(file: File) -> Outcome:

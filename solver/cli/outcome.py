@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import click
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from solver.document.model import Document, Presentation
 
 SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
+Kind = TypeVar("Kind")
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +108,7 @@ class Outcome:
         return self.code
 
 
-def guarded(file: str, make: Callable[[], Outcome], *, bugs: bool = True) -> Outcome:
+def guarded(file: str, make: Callable[[], Kind], *, bugs: bool = True) -> Kind | Outcome:
     """Return what is made; whatever goes wrong becomes words and an exit code: `bugs` of the program, or they pass."""
     try:
         return make()

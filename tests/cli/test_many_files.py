@@ -8,6 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from solver.cli.batch import solve_whole
+from solver.cli.executing import Workers
+from solver.executors import Processes
+from solver.limits import Exceeded
 from tests.helpers.small_problems import GOOD
 
 BAD = "system: {A: [[0, 1], [-2, -3]]}\nfind: {a: {task: stabilty}}\n"
@@ -52,6 +56,30 @@ def test_the_number_of_processes_changes_nothing(solve, forked, files):
                                       for kind in ("html", "json")}  # fmt: skip
     stuck = next(each for each in alone if "time limit" in each.out)
     assert stuck.out.count("verified") == 2
+
+
+class Hasty(Processes):
+    """No file is solved whole: its process meets its limit, or dies."""
+
+    def calls(self, limits, function, calls):
+        if function is solve_whole:
+            yield from ((place, Exceeded("it was stopped")) for place, _ in enumerate(calls))
+        else:
+            yield from super().calls(limits, function, calls)
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_a_file_that_was_stopped_before_it_was_read_costs_the_others_nothing(solve, monkeypatch, tmp_path, jobs):
+    for name, text in {"bad": "title: [broken\n", "q1": GOOD, "q2": GOOD.replace("-3", "-4"), "unknown": BAD}.items():
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    usual = solve(".", "-o", "usual/", "--jobs", jobs)
+    monkeypatch.setattr(Workers, "executor", lambda workers: Hasty(workers.processes))
+    done = solve(".", "-o", "out/", "--jobs", jobs)
+    assert (done.code, done.err) == (2, usual.err)
+    assert "bad.yaml" in done.err
+    assert "internal error" not in done.err
+    assert contents("out") == contents("usual")
+    assert set(contents("out")) == {"q1.html", "q2.html"}
 
 
 def test_standard_input_is_one_of_the_files(process, good):
