@@ -10,13 +10,14 @@ import multiprocessing
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from multiprocessing import resource_tracker
 from tempfile import gettempdir
 from typing import TYPE_CHECKING, Any
 
 from solver import __version__
 from solver.executors.executor import Arguments, Executor, Unavailable
 from solver.executors.processes import Processes
-from solver.executors.starting import apart
+from solver.executors.starting import apart, deaf
 from solver.limits import Exceeded, Limits
 from solver.limits.child import as_bug
 from solver.words import Phrase
@@ -29,6 +30,8 @@ AT_HAND = 2
 
 PATIENCE = 30
 """So many seconds are waited for a scheduler, and for a first worker."""
+
+DEAF = "solver.executors.deaf"
 
 INSTALL = "pip install 'solve-control[dask]'"
 
@@ -130,7 +133,8 @@ def _started(jobs: int) -> Client:
     """Start a cluster on this machine, which nobody else can reach."""
     from distributed import Client, LocalCluster  # noqa: PLC0415 - as above
 
-    with apart():
+    resource_tracker.ensure_running()  # first, since it lets through the signals that it found blocked
+    with apart(), deaf():
         cluster = LocalCluster(
             n_workers=jobs,
             threads_per_worker=1,
@@ -139,6 +143,7 @@ def _started(jobs: int) -> Client:
             dashboard_address="127.0.0.1:0",
             silence_logs=logging.CRITICAL,
             local_directory=gettempdir(),
+            preload=[DEAF],  # what its workers start lets the signals through again
         )
     return Client(cluster, set_as_default=False)
 

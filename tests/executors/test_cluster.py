@@ -2,14 +2,17 @@
 
 import os
 import signal
+import subprocess
 import sys
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
 
 from solver.executors import Unavailable, cluster
 from solver.executors.cluster import Cluster
 from solver.limits import Exceeded, Limits
-from tests.helpers.calls import die, fail, greedy, process_after
+from tests.helpers.calls import die, fail, greedy, process_after, wait_until
 from tests.helpers.small_problems import GOOD
 
 pytest.importorskip("distributed")
@@ -105,3 +108,43 @@ def test_without_dask_the_way_to_it_is_told(solve, monkeypatch, tmp_path):
     done = solve("one.yaml", "two.yaml", "--engine", "dask")
     assert done.code == 2
     assert "pip install 'solve-control[dask]'" in done.err
+
+
+INTERRUPTED = """
+import signal
+import sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that runs tests in the background has it ignored
+from solver.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+def processes_of(session):
+    """The processes of a session that run."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):
+            _, _, fields = path.read_text(encoding="ascii", errors="replace").rpartition(")")
+            state, _, _, its, *_ = fields.split()
+            found += [path.parent.name] if int(its) == session and state != "Z" else []
+    return found
+
+
+@pytest.mark.parametrize("ready", [False, True])
+def test_an_interrupt_ends_all_quietly(tmp_path, ready):
+    """While the cluster starts, and while it works."""
+    files = [f"{number}.yaml" for number in range(40)]
+    for number, file in enumerate(files, 3):
+        (tmp_path / file).write_text(GOOD.replace("-3", f"-{number}"), encoding="utf-8")
+    env = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    command = [sys.executable, "-c", INTERRUPTED, *files, "-o", "out/", "--engine", "dask", "--jobs", "2"]
+    with subprocess.Popen(command, cwd=tmp_path, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          start_new_session=True) as process:  # fmt: skip
+        if ready:
+            process.stdout.readline()
+        else:
+            wait_until(lambda: len(processes_of(process.pid)) > 2)
+        os.killpg(process.pid, signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert (process.returncode, errors.decode().strip()) == (130, "interrupted")
+    assert wait_until(lambda: not processes_of(process.pid))

@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from multiprocessing import active_children
 from pathlib import Path
 
@@ -13,7 +12,17 @@ import pytest
 from solver.executors import Processes
 from solver.executors.starting import start_method
 from solver.limits import Exceeded, Limits
-from tests.helpers.calls import deep, die, fail, greedy, hears_interrupts, modules, process_after, start_child
+from tests.helpers.calls import (
+    deep,
+    die,
+    fail,
+    greedy,
+    hears_interrupts,
+    modules,
+    process_after,
+    start_child,
+    wait_until,
+)
 
 ROOT = Path(__file__).parents[2]
 
@@ -32,13 +41,6 @@ def is_running(pid):
         return "\nState:\tZ" not in Path(f"/proc/{pid}/status").read_text(encoding="ascii")
     except OSError:
         return False
-
-
-def wait_until(holds, seconds=20):
-    end = time.monotonic() + seconds
-    while not holds() and time.monotonic() < end:
-        time.sleep(0.02)
-    return holds()
 
 
 def test_workers_are_forked_from_a_server_where_that_is_safe():

@@ -54,3 +54,10 @@ def start_child(path):
     with open(path, "w", encoding="ascii") as file:  # noqa: PTH123
         file.write(str(child.pid))
     time.sleep(1000)
+
+
+def wait_until(holds, seconds=20):
+    end = time.monotonic() + seconds
+    while not holds() and time.monotonic() < end:
+        time.sleep(0.02)
+    return holds()
