@@ -25,13 +25,6 @@ if TYPE_CHECKING:
     from solver.cli.solving import Request
     from solver.problem.images import Image
 
-SLACK = 60.0
-"""So many seconds more than all its parts may take, a file that is solved part by part may take: to be written."""
-
-
-UNLIMITED = 2**20
-"""So many megabytes are more than there are."""
-
 
 @dataclass(frozen=True, slots=True)
 class File:
@@ -115,8 +108,7 @@ def _outcomes(executor: Executor, files: Sequence[File], limits: Limits) -> Iter
         else:
             left.append(file)
             most = max(most, units)
-    wide = Limits(limits.seconds * most + SLACK, UNLIMITED)  # its children keep the limits
-    for place, outcome in executor.calls(wide, solve_by_parts, [(file, limits) for file in left]):
+    for place, outcome in executor.calls(limits.around(most), solve_by_parts, [(file, limits) for file in left]):
         file = left[place]
         if isinstance(outcome, Exceeded):
             yield file, Outcome(1, err=f"{file.asked.file}: error: {outcome.reason}\n"), False

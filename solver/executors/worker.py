@@ -19,7 +19,6 @@ from solver.executors.starting import WARM, apart, begin_server, context_of, dea
 from solver.limits.call import Exceeded, answer
 from solver.limits.child import Limits, cause_of_death, restrict
 from solver.startup import end_loading
-from solver.words import Phrase
 
 
 class Worker:
@@ -60,7 +59,7 @@ class Worker:
         """Return the result of the call, or Exceeded."""
         try:
             if not self.channel.poll(0):
-                return Exceeded(Phrase("time limit of {seconds} s", seconds=f"{self.limits.seconds:g}"))
+                return Exceeded(self.limits.told)
             answered, result = self.channel.recv()
         except (EOFError, OSError):
             self.process.join(1.0)

@@ -32,7 +32,7 @@ def call_within(limits: Limits, function: Callable[..., Any], *arguments: Any) -
     its_end.close()
     try:
         if not channel.poll(limits.seconds):
-            raise Exceeded(Phrase("time limit of {seconds} s", seconds=f"{limits.seconds:g}"))
+            raise Exceeded(limits.told)
         answered, result = channel.recv()
     except (EOFError, OSError):
         process.join(1.0)

@@ -42,12 +42,36 @@ if TYPE_CHECKING:
 FORKS = sys.platform.startswith("linux")  # fork is unsafe on macOS and unknown on Windows
 
 
+SLACK = 60.0
+"""So many seconds more than all its children may take, a process that starts them may take itself."""
+
+UNLIMITED = 2**20
+"""So many megabytes are more than there are."""
+
+
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What one part, by one method, may take: seconds of time, megabytes of memory beyond what is loaded already."""
+    """What one part, by one method, may take: seconds of time, megabytes of memory beyond what is loaded already.
+
+    Where so many `units` are done in one call, the seconds are those of all.
+    """
 
     seconds: float = 60.0
     megabytes: int = 2048
+    units: int = 1
+
+    @property
+    def told(self) -> Phrase:
+        """Say that the time was not enough: that of one unit, which is what was asked for."""
+        return Phrase("time limit of {seconds} s", seconds=f"{self.seconds / self.units:g}")
+
+    def times(self, units: int) -> Limits:
+        """Return what so many units may take in one call."""
+        return replace(self, seconds=self.seconds * units, units=self.units * units)
+
+    def around(self, units: int) -> Limits:
+        """Return what a process may take that has so many units done one by one by children, which keep these."""
+        return Limits(self.seconds * units + SLACK, UNLIMITED)
 
 
 @dataclass(frozen=True, slots=True)

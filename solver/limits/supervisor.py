@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from solver.limits.child import Child, Limits, Orders, Reply, Unit
 from solver.problem.refusals import refuse
-from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.document.model import Presentation
@@ -111,9 +110,7 @@ class Supervisor:
         end = start + self.limits.seconds
         while not child.ready(TICK):
             if monotonic() >= end:
-                return Reply(
-                    failure=Phrase("time limit of {seconds} s", seconds=f"{self.limits.seconds:g}"), exhausted=True
-                )
+                return Reply(failure=self.limits.told, exhausted=True)
             if self.notify is not None:
                 index = self.solving.index(unit) if unit.method else 0
                 self.notify(Progress(unit.part.id, unit.method, index, len(self.solving)))

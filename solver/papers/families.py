@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import PurePath
 from typing import Any, Protocol
@@ -92,7 +92,7 @@ def members(
     while found < count and (some := list(islice(candidates, min(count - found, TOGETHER)))):
         calls = [(each.text, search.source.name, wanted) for each in some]
         parts = sum(len(part.methods) for part in some[0].problem.parts)
-        limits = replace(wanted.limits, seconds=wanted.limits.seconds * parts)
+        limits = wanted.limits.times(parts)
         results = dict(enumerate(all_made(search.executor, limits, make or made, calls, memory)))
         for place, candidate in enumerate(some):
             if (why := _wrong(results[place])) is not None:

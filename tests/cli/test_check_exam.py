@@ -304,3 +304,16 @@ def test_a_rerun_with_a_mended_file_writes_its_sheet_only(solve, hand_in, gains,
     (tmp_path / "in" / "anna.yaml").write_text(good.replace(gains[0], "[1, 1]"), encoding="utf-8")
     assert solve(*words).code == 1
     assert (tmp_path / "sheets" / "anna.marked.html").stat().st_mtime_ns > kept
+
+
+def test_sheets_and_marks_are_the_same_for_every_number_of_jobs(solve, hand_in, gains, tmp_path):
+    files = {f"{n}.yaml": answers(f"variant: {n % 2 + 1}", gains[n // 2]) for n in range(4)}
+    hand_in(files)
+    found = []
+    for jobs in (1, 3):
+        done = solve("check", "exam.yaml", "in", "--csv", "grades.csv", "-f", "html", "--solution", "--report",
+                     "report.html", "-o", "out/", "--jobs", jobs)  # fmt: skip
+        written = [tmp_path / "grades.csv", tmp_path / "report.html", *sorted((tmp_path / "out").iterdir())]
+        found.append((done, {path.name: path.read_bytes() for path in written}))
+    assert found[0] == found[1]
+    assert len(found[0][1]) == 6

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, TypeVar
 
@@ -165,4 +165,4 @@ def _parts(question: Question) -> int:
 
 
 def _limits(means: Means, parts: int) -> Limits:
-    return replace(means.limits, seconds=means.limits.seconds * parts)
+    return means.limits.times(parts)

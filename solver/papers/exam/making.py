@@ -12,7 +12,7 @@ from solver.classroom.blank import HOW, comment, quoted
 from solver.classroom.report.table import harmless
 from solver.document.exam import ExamDocument, ExamQuestion
 from solver.document.model import Document, Presentation
-from solver.limits import Exceeded, Limits
+from solver.limits import Exceeded
 from solver.papers.exam.drawing import Drawn, Means, asked_of
 from solver.papers.exam.model import Exam, Variant
 from solver.papers.exam.scaling import scaled
@@ -53,7 +53,7 @@ def files_of(
     there = {variant.label for variant in exam.variants if is_there(variant)}
     calls = [(paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
              for pair in pairs if pair[0].label not in there]  # fmt: skip
-    limits = Limits(means.limits.seconds * 2 * len(exam.questions), means.limits.megabytes)
+    limits = means.limits.times(2 * len(exam.questions))
     results = means.executor.in_order(limits, _written, calls)
     for variant in exam.variants:
         if variant.label in there:

@@ -13,10 +13,11 @@ from solver.document.model import Document, Presentation
 from solver.document.works import document_of
 from solver.engine import Solution, solve_problem
 from solver.executors import Executor
-from solver.limits import Exceeded, Limits, solve_within
+from solver.limits import Exceeded, Limits
 from solver.papers.exam.drawing import Means, in_turn, search_of
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.scaling import scaled
+from solver.papers.exam.solved import solve_each
 from solver.papers.exam.submitted import ExamSubmission
 from solver.papers.families import Wanted, members
 from solver.problem.model import Problem
@@ -35,18 +36,19 @@ def solutions_of(
     exam: Exam, variants: Collection[int], means: Means, prepared: Callable[[Problem], Problem]
 ) -> Solutions:
     """Return the solved questions of some variants; raises InputError where a family has too few members."""
-    found: dict[int, list[Solution]] = {number: [] for number in sorted(set(variants))}
+    numbers = sorted(set(variants))
+    problems: dict[tuple[int, str], Problem] = {}  # by text: what is the same in all variants is solved once
+    places: dict[int, list[tuple[int, str]]] = {number: [] for number in numbers}
     for question in exam.questions:
-        solved: dict[str, Solution] = {}  # by text: what is the same in all variants is solved once
-        texts = _texts(exam, question, max(found, default=0), means)
-        for number, solutions in found.items():
-            text = texts[number - 1]
-            if text not in solved:
-                problem = read_problem(Source(question.source.name, text), catalogue())
-                told = prepared(scaled(problem, question.marks))
-                solved[text] = solve_within(told, means.limits).solution()
-            solutions.append(solved[text])
-    return found
+        texts = _texts(exam, question, max(numbers, default=0), means)
+        for number in numbers:
+            place = question.number, texts[number - 1]
+            if place not in problems:
+                problem = read_problem(Source(question.source.name, texts[number - 1]), catalogue())
+                problems[place] = prepared(scaled(problem, question.marks))
+            places[number].append(place)
+    solved = dict(zip(problems, solve_each(list(problems.values()), means.limits, means.executor), strict=True))
+    return {number: [solved[place] for place in of_variant] for number, of_variant in places.items()}
 
 
 def _texts(exam: Exam, question: Question, count: int, means: Means) -> list[str]:
@@ -107,7 +109,7 @@ def worked_of(solutions: Solutions, presentation: Presentation, limits: Limits, 
             places.setdefault(id(solution), []).append((variant, number))
     calls = [(solutions[variant][number - 1], presentation, number) for (variant, number), *_ in places.values()]
     parts = max((len(solution.parts) for solution, *_ in calls), default=1)
-    found = executor.in_order(replace(limits, seconds=limits.seconds * parts), _worked, calls)
+    found = executor.in_order(limits.times(parts), _worked, calls)
     told = [(each, document) for each, document in zip(places.values(), found, strict=True)]
     return {place: None if isinstance(document, Exceeded) else document for each, document in told for place in each}
 

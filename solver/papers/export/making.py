@@ -36,7 +36,7 @@ def quiz_of(exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means) -> Ba
     namer = _Namer(exam, messages.say)
     asked = list(_asked(exam, variants))
     parts = max(len(each.problem.parts) for each in exam.questions)
-    limits = replace(means.limits, seconds=means.limits.seconds * FACTOR * parts)
+    limits = means.limits.times(FACTOR * parts)
     calls = [(drawn.text, drawn.question.source.name, _wanted(drawn.question, means)) for drawn, _ in asked]
     groups: dict[tuple[int, int, bool], Group] = {}
     faults: list[str] = []

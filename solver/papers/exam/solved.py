@@ -1,0 +1,70 @@
+"""The solutions of many problems, found by an executor: without steps, as they are marked.
+
+A problem is solved whole in a process that goes on to the next. One that is not done within the limits of a part is
+solved again, each part within its own limits, so that only the part that is stuck is lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from solver.document.model import Presentation
+from solver.engine import Solution, solve_problem
+from solver.executors import Executor
+from solver.limits import Exceeded, Limits, Solved, solve_within
+from solver.limits.child import Reply, Unit
+from solver.limits.results import sent
+from solver.problem.model import Problem
+from solver.problem.source import Diagnostic, InputError, Source
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """What a task finds wrong with a question, as it is sent."""
+
+    source: Source
+    diagnostics: tuple[Diagnostic, ...]
+
+
+Replies = list[tuple[Unit, Reply]]
+
+
+def solve_each(problems: Sequence[Problem], limits: Limits, executor: Executor) -> list[Solution]:
+    """Return the solutions in the order of the problems; raises InputError where a question is wrong as it is asked."""
+    carried = [replace(each, images={}) for each in problems]
+    found: list[Replies | Refused | Exceeded] = list(executor.in_order(limits, _whole, ((each,) for each in carried)))
+    left = [place for place, result in enumerate(found) if isinstance(result, Exceeded)]
+    wide = limits.around(max((len(carried[place].parts) + len(_units(carried[place])) for place in left), default=0))
+    for number, result in executor.calls(wide, _by_parts, ((carried[place], limits) for place in left)):
+        found[left[number]] = result
+    return [_solution(*each) for each in zip(problems, found, strict=True)]
+
+
+def _solution(problem: Problem, found: Replies | Refused | Exceeded) -> Solution:
+    if isinstance(found, Refused):
+        raise InputError(found.source, found.diagnostics)
+    if isinstance(found, Exceeded):  # who kept the limits of its parts is lost
+        found = [(unit, Reply(failure=found.reason)) for unit in _units(problem)]
+    return Solved(problem, found).solution()
+
+
+def _whole(problem: Problem) -> Replies | Refused:
+    """Solve a problem in this process. A bug is raised: it is told of the part that has it, by `_by_parts`."""
+    try:
+        solution = solve_problem(problem, messages=Presentation().messages(problem.display))
+    except InputError as error:
+        return Refused(error.source, tuple(error.diagnostics))
+    return [(unit, Reply(sent=sent(part))) for unit, part in zip(_units(problem), solution.parts, strict=True)]
+
+
+def _by_parts(problem: Problem, limits: Limits) -> Replies | Refused:
+    """Solve a problem in a child of this process, each part by each method within the limits."""
+    try:
+        return solve_within(problem, limits).replies
+    except InputError as error:
+        return Refused(error.source, tuple(error.diagnostics))
+
+
+def _units(problem: Problem) -> list[Unit]:
+    return [Unit(part, method) for part in problem.parts for method in part.methods]
