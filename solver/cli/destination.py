@@ -51,6 +51,7 @@ class Destination:
         if place is None or output is None:
             destination = Destination(formats or ("html",))
         elif _is_folder(output, place) or several or len(formats or ()) > 1:
+            _refuse_name_of_a_file(output, place, several=several)
             destination = Destination(formats or ("html",), folder=place, stems=stems_of(problems, NAMELESS))
         else:
             destination = Destination(formats or (_format_of(place),), file=place)
@@ -88,13 +89,26 @@ def _to_standard_output(formats: tuple[str, ...], *, several: bool) -> Destinati
     return Destination(formats, standard_output=True)
 
 
+def _refuse_name_of_a_file(output: str, place: Path, *, several: bool) -> None:
+    """Raise click.UsageError where several files would go to a new folder that is called like one of them."""
+    if _is_folder(output, place) or not (meant := _format_named_by(place)):
+        return
+    ways = f"name a folder, {place.with_suffix('')}/" + ("" if several else f", or {meant} alone with -f {meant}")
+    raise click.UsageError(f"{place} is one file, and several are to be written: {ways}.")
+
+
 def _is_folder(output: str, place: Path) -> bool:
     return output.endswith(("/", os.sep)) or place.is_dir()
 
 
 def _format_of(place: Path) -> str:
     """Return the format that a file's ending means (html if it means none)."""
-    return next((each for each, form in FORMATS.items() if form.suffix == place.suffix.lower()), "html")
+    return _format_named_by(place) or "html"
+
+
+def _format_named_by(place: Path) -> str:
+    """Return the format that a file's ending means, "" if it means none."""
+    return next((each for each, form in FORMATS.items() if form.suffix == place.suffix.lower()), "")
 
 
 def write_whole(path: Path, content: bytes) -> None:

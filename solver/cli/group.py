@@ -11,6 +11,7 @@ from click.shell_completion import CompletionItem
 
 BROKEN_PIPE = 141  # as the shell has it: 128 + SIGPIPE
 DEFAULT = "run"
+ENDINGS = (".yaml", ".yml")
 OWN_OPTIONS = ("-h", "--help", "--version", "--completion")
 
 
@@ -27,8 +28,12 @@ class FileOrCommand(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the command of that name, or `run` if the first word is a file."""
-        if self.get_command(ctx, args[0]) is None and looks_like_file(args[0]):
-            args = [DEFAULT, *args]
+        if self.get_command(ctx, args[0]) is None:
+            if looks_like_file(args[0]):
+                args = [DEFAULT, *args]
+            elif file := next((args[0] + each for each in ENDINGS if Path(args[0] + each).is_file()), ""):
+                message = f"No such command {args[0]!r}. Did you mean {file}?"
+                raise click.UsageError(message, ctx)
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> object:
@@ -55,4 +60,4 @@ def stop_writing() -> int:
 
 def looks_like_file(word: str) -> bool:
     """Whether a word means a file: by its ending, a separator, being "-", or because there is one of that name."""
-    return word == "-" or word.lower().endswith((".yaml", ".yml")) or "/" in word or "\\" in word or Path(word).exists()
+    return word == "-" or word.lower().endswith(ENDINGS) or "/" in word or "\\" in word or Path(word).exists()

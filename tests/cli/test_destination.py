@@ -54,6 +54,13 @@ def test_the_files_that_are_written(output, formats, problems, written):
     ("output", "formats", "problems", "message"),
     [
         ("-", ("html", "json"), ("a.yaml",), "one problem in one format"),
+        ("key.pdf", ("pdf", "html"), ("a.yaml",), "name a folder, key/, or pdf alone with -f pdf"),
+        (
+            "key.PDF",
+            ("json", "html"),
+            ("a.yaml", "b.yaml"),
+            "key.PDF is one file, and several .*: name a folder, key/.$",
+        ),
         ("-", None, ("a.yaml", "b.yaml"), "one problem in one format"),
         ("a.yaml", ("html",), ("a.yaml",), "a.yaml is a problem file"),
         ("b.yaml", ("html",), ("b.yaml",), "b.yaml is a problem file"),
@@ -63,6 +70,19 @@ def test_the_files_that_are_written(output, formats, problems, written):
 def test_what_does_not_fit_together_is_refused(output, formats, problems, message):
     with pytest.raises(click.UsageError, match=message):
         Destination.named(output, formats, problems)
+
+
+def test_a_folder_may_be_called_like_a_file_where_it_is_there_or_said_to_be_one(folder):
+    (folder / "old.pdf").mkdir()
+    for name in ("old.pdf", "new.pdf/"):
+        assert Destination.named(name, ("pdf", "html"), ("a.yaml",)).folder == Path(name)
+
+
+def test_a_file_that_is_named_without_its_ending_is_suggested(solve, folder):
+    (folder / "placement.yaml").write_text("", encoding="utf-8")
+    done = solve("placement", "-f", "html")
+    assert done.code == 2
+    assert "No such command 'placement'. Did you mean placement.yaml?" in done.err
 
 
 def test_the_same_problem_twice_is_written_once_over():
