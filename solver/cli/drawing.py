@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,7 +10,7 @@ import click
 
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.executing import Workers
-from solver.cli.progress import same_screen
+from solver.cli.progress import search_bar
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
 from solver.document.model import Presentation
 from solver.limits import Limits
@@ -68,13 +66,14 @@ def draw_members(order: Order) -> int:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
     settle()
-    with order.workers.executor() as executor, progress(order.count) as tell:
+    with order.workers.executor() as executor, search_bar(order.count) as tell:
         search = Search(source, family, order.seed, order.limits, order.draws, executor, tell)
         wanted = Wanted(order.formats, order.presentation, order.limits, order.check)
         found: list[Member] = []
         for member in members(search, order.count, wanted, order.stem):
             _write(member, order, problem)
             found.append(member)
+        tell(search.draws, len(found))
     return _conclude(order, source, search, found)
 
 
@@ -116,18 +115,3 @@ def _table(difficulties: Sequence[Difficulty], names: Sequence[str]) -> str:
         where = first if each.least < each.most else "all"
         rows.append((each.name, str(each.least), str(each.median), str(each.most), where))
     return "\n".join(f"{a:20}{b:>7}{c:>8}{d:>7}  {e}" for a, b, c, d, e in rows)
-
-
-@contextmanager
-def progress(count: int) -> Iterator[Callable[[int, int], None]]:
-    """Show how many draws were made and how many members found, on a terminal."""
-    if not sys.stderr.isatty():
-        yield lambda _draws, _found: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-
-    columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True, redirect_stdout=same_screen()) as bars:
-        bar = bars.add_task("drawing", total=count)
-        yield lambda draws, found: bars.update(bar, description=f"{draws} draws, {found} found", completed=found)

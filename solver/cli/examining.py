@@ -11,16 +11,16 @@ from pathlib import Path
 import click
 
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_changed
-from solver.cli.drawing import progress
 from solver.cli.executing import Workers
 from solver.cli.exporting import write_exports
 from solver.cli.filled import asked_in, changed_since, is_filled, keep_asked, tell_left_over
 from solver.cli.kept import Record, hash_of_folder, key_of
+from solver.cli.progress import bar, search_bar
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
 from solver.cli.store import Store
 from solver.document.model import Presentation
 from solver.limits import Limits
-from solver.papers.exam.drawing import Drawn, Means, drawn, shared
+from solver.papers.exam.drawing import Drawn, Means, drawn, shared, to_be_made
 from solver.papers.exam.making import ANSWERS, answer_file, facts_of_paper, files_of, variants_table
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
@@ -85,11 +85,13 @@ def write_exam(order: Order) -> int:
 def _make(order: Order, exam: Exam, means: Means, record: Record) -> int:
     """Draw the variants and write them; return the exit code."""
     try:
-        with progress(len(exam.variants)) as tell:
+        with search_bar(to_be_made(exam)) as tell:
             variants = drawn(exam, means, tell)
     except InputError as error:  # a question is not verified, or a family has too few members
         click.echo(error.render(), err=True)
-        click.echo("nothing was written: every question of every variant must be verified", err=True)
+        kept = means.kept.place
+        aside = f"; what was solved is kept in {kept} for the next time" if kept else ""
+        click.echo(f"nothing was written: every question of every variant must be verified{aside}", err=True)
         return UNSOLVED
     if order.exports:
         return write_exports(order, exam, variants, means)
@@ -103,13 +105,15 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
         pair[0].label: key_of(hash_of_folder(told.templates), engine, facts_of_paper(exam, *pair, order.formats, means))
         for pair in zip(exam.variants, variants, strict=True)
     }
-    for files in files_of(exam, variants, order.formats, means, lambda each: _is_there(record, each.label, keys)):
-        if files.fault:
-            click.echo(f"{files.variant.label}: error: cannot make the paper: {files.fault}", err=True)
-            code = INPUT_AT_FAULT
-        _write_all(order, files.contents)
-        if not files.fault and not files.unchanged:
-            record.put(PAPER + files.variant.label, keys[files.variant.label], files.contents, {})
+    with bar("writing", len(variants)) as advance:
+        for files in files_of(exam, variants, order.formats, means, lambda each: _is_there(record, each.label, keys)):
+            if files.fault:
+                click.echo(f"{files.variant.label}: error: cannot make the paper: {files.fault}", err=True)
+                code = INPUT_AT_FAULT
+            _write_all(order, files.contents)
+            if not files.fault and not files.unchanged:
+                record.put(PAPER + files.variant.label, keys[files.variant.label], files.contents, {})
+            advance()
     named = "" if order.file == STANDARD else _seen_from(order.folder / ANSWERS, Path(order.file))
     sheets = {
         f"{ANSWERS}/answers-{variant.label}.yaml": answer_file(exam, named, variant, questions).encode()

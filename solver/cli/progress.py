@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -50,8 +51,26 @@ class Meter:
 @contextmanager
 def bar(what: str, total: int) -> Iterator[Callable[[], None]]:
     """Show how many of some things are done, and the time left, on a terminal; yields what counts one more."""
+    with _shown(what, total) as update:
+        yield lambda: update(advance=1)
+
+
+@contextmanager
+def search_bar(total: int) -> Iterator[Callable[[int, int], None]]:
+    """Show how many things are done, of a family how many draws were made, and the time left, as `bar` does."""
+    with _shown("solving", total) as update:
+
+        def tell(draws: int, done: int) -> None:
+            update(description=f"{draws} draws" if draws else "solving", completed=done)
+
+        yield tell
+
+
+@contextmanager
+def _shown(what: str, total: int) -> Iterator[Callable[..., None]]:
+    """Show a bar on a terminal; yields what changes it."""
     if not sys.stderr.isatty():
-        yield lambda: None
+        yield lambda **_: None
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
@@ -59,8 +78,7 @@ def bar(what: str, total: int) -> Iterator[Callable[[], None]]:
 
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Bars(*columns, console=Console(stderr=True), transient=True, redirect_stdout=same_screen()) as bars:
-        task = bars.add_task(what, total=total)
-        yield lambda: bars.advance(task)
+        yield partial(bars.update, bars.add_task(what, total=total))
 
 
 def same_screen() -> bool:

@@ -30,6 +30,11 @@ class Store:
         self.anew = anew
         self.used: set[str] = set()
 
+    @property
+    def place(self) -> str:
+        """The folder, "" where nothing is in it that was used or put."""
+        return str(self.folder) if self.used else ""
+
     def get(self, *facts: Any) -> Any:
         """Return what was put for the same facts, None where there is nothing, or nothing that can be read."""
         key = self._key(facts)

@@ -118,7 +118,7 @@ def all_made(
 def _wrong(result: Made | Exceeded) -> Rejection | None:
     """Return why a candidate is no member, None where it is verified."""
     if isinstance(result, Exceeded):
-        return Rejection(f"it cannot be solved: {result.reason}", own=True)
+        return Rejection.by_limits(result.reason)
     if result.status is not Status.VERIFIED:
         return Rejection(f"it is {result.status}: {result.reason}", own=True)
     return None

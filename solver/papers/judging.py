@@ -33,12 +33,25 @@ MEANINGS: Mapping[str, tuple[tuple[str, str, object], ...]] = {
 """What words about a system mean: the tasks that decide it, their answers, and what these must be."""
 
 
+UNSOLVABLE = "it cannot be solved: "
+
+
 @dataclass(frozen=True, slots=True)
 class Rejection:
     """Why a draw is no member: what is required as it is written in the file, or words of the program (`own`)."""
 
     why: str
     own: bool = False
+
+    @classmethod
+    def by_limits(cls, reason: str) -> Rejection:
+        """Return why a draw is none that met a limit."""
+        return cls(UNSOLVABLE + reason, own=True)
+
+    @property
+    def is_by_limits(self) -> bool:
+        """Whether a limit was met: with others the draw may be a member."""
+        return self.own and self.why.startswith(UNSOLVABLE)
 
 
 def judged(text: str, name: str, required: Iterable[Required], nice: Iterable[Nice]) -> Rejection | None:

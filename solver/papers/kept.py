@@ -6,12 +6,14 @@ Who keeps it, and where, the command line decides; here nothing is kept. What is
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Protocol, TypeVar
 
 from solver.limits import Limits
 from solver.papers.families import Made, Member, Wanted
+from solver.papers.judging import Rejection
 from solver.papers.plain import NotPlain, as_plain, of_plain
 from solver.papers.search import Search
 from solver.problem.model import Problem
@@ -23,6 +25,10 @@ HEADING = re.compile(r"\A(?:#.*\n)+")
 class Kept(Protocol):
     """Keeps plain data by the facts on which they depend; the program and its templates need not be told."""
 
+    @property
+    def place(self) -> str:
+        """Where data are kept, "" where there are none."""
+
     def get(self, *facts: Any) -> Any:
         """Return what was put for the same facts, None where there is nothing, or nothing that can be read."""
 
@@ -32,6 +38,8 @@ class Kept(Protocol):
 
 class NothingKept:
     """Keeps nothing."""
+
+    place = ""
 
     def get(self, *facts: Any) -> Any:
         """Return None."""
@@ -91,15 +99,21 @@ def drawn_before(kept: Kept, search: Search, count: int) -> Sequence[tuple[Mappi
         found = [
             ({str(name): str(each) for name, each in values.items()}, str(text)) for values, text in data["members"]
         ]
-        search.draws, search.found = int(data["draws"]), len(found)
+        rejected = {Rejection(str(why), bool(own)): int(times) for why, own, times in data["rejected"]}
+        search.draws, search.count, search.found = int(data["draws"]), int(data["choices"]), len(found)
+        search.rejections = Counter(rejected)
     except (TypeError, KeyError, ValueError, AttributeError):
         return []
     return found
 
 
 def keep_drawn(kept: Kept, search: Search, count: int, members: Sequence[Member]) -> None:
-    """Keep the members that a search found."""
-    data = {"draws": search.draws, "members": [[dict(each.values), each.text] for each in members]}
+    """Keep the members that a search found, if there are any; not where there may be more with other limits."""
+    if not members or (len(members) < count and any(each.is_by_limits for each in search.rejections)):
+        return
+    rejected = [[why.why, why.own, times] for why, times in search.rejections.items()]
+    found = [[dict(each.values), each.text] for each in members]
+    data = {"draws": search.draws, "choices": search.count, "rejected": rejected, "members": found}
     kept.put(data, *_facts_of_search(search, count))
 
 

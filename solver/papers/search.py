@@ -117,7 +117,7 @@ class Search:
             self.rejections += before
             result = results[place]
             if isinstance(result, Exceeded):
-                result = Rejection(f"it cannot be solved: {result.reason}", own=True)
+                result = Rejection.by_limits(result.reason)
             yield number, draw, texts[place], result
 
     def _left(self) -> Iterator[tuple[int, Draw, Counter[Rejection]]]:

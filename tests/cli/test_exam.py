@@ -129,6 +129,27 @@ def test_nothing_is_written_where_a_question_is_not_verified(solve, tmp_path):
     assert not written(tmp_path / "build")
 
 
+def test_the_limit_that_was_given_is_told_of_all_questions_that_met_it(solve, tmp_path):
+    """And not that of a call, which has several parts."""
+    write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"))
+    done = solve("exam", "exam.yaml", "-o", "build", "--time-limit", "0.0001")
+    assert done.code == 1
+    for number in (1, 2, 3):
+        assert f"question {number} cannot be solved: time limit of 0.0001 s\n" in done.err
+    assert not (tmp_path / "build").exists()
+
+
+@pytest.mark.parametrize("has_other", [False, True])
+def test_what_is_kept_of_a_failure_is_told_and_where_nothing_is_kept_no_folder_is_made(solve, tmp_path, has_other):
+    other = "  - {problem: step.yaml}\n" if has_other else ""
+    exam = f"exam: E\nquestions:\n  - {{problem: family.yaml}}\n{other}"
+    write_exam(tmp_path, exam, family=FAMILY.replace("a != 2", "a > 9"))
+    done = solve("exam", "exam.yaml", "-o", "build")
+    assert done.code == 1
+    assert ("; what was solved is kept in build/.solve for the next time" in done.err) == has_other
+    assert (tmp_path / "build").exists() == has_other
+
+
 def test_too_few_members_are_an_error_of_the_family(solve, tmp_path):
     write_exam(tmp_path, EXAM.replace("count: 2", "count: 3"), family=FAMILY.replace("a != 2", "a > 3"))
     few = FAMILY.replace('["a != 2", controllable]', '["a > 3", "b > 1", "p < -3"]')

@@ -2,12 +2,16 @@
 
 import json
 import shutil
+from types import SimpleNamespace
 
 import pytest
 
 from solver.cli.kept import hash_of_folder
 from solver.executors import Processes
+from solver.papers.judging import Rejection
+from solver.papers.kept import keep_drawn
 from solver.resources import root
+from tests.papers.conftest import FAMILY
 from tests.papers.exams import EXAM, PROBLEM, write_exam
 
 OUT = "exam-papers"
@@ -54,6 +58,25 @@ def test_nothing_is_solved_or_written_again(solve, tmp_path, solved):
     assert solve("exam", "exam.yaml", "--again") == first
     assert {name for name, _ in solved} == {"judged", "question_made", "_written"}
     assert bytes_of(tmp_path / OUT) == {name: content for name, (content, _) in before.items()}
+
+
+def test_members_of_a_small_family_are_shared_again(solve, tmp_path, solved):
+    few = FAMILY.replace('["a != 2", controllable]', '["a > 2", "b > 1", "p < -3"]')
+    write_exam(tmp_path, EXAM.replace("count: 2", "students: class.csv"), family=few)
+    (tmp_path / "class.csv").write_text("Ann\nBen\nCem\nDan\n", "utf-8")
+    first = solve("exam", "exam.yaml")
+    assert first.code == 0, first.err
+    assert "in turn" in first.err
+    solved.clear()
+    assert solve("exam", "exam.yaml") == first
+    assert not solved
+
+
+def test_what_kept_a_family_from_having_enough_members_is_told_again(solve, tmp_path):
+    write_exam(tmp_path, family=FAMILY.replace('["a != 2", controllable]', '["a > 3", "b > 1", "p < -3"]'))
+    first = solve("exam", "exam.yaml")
+    assert "found 1 of 2 members" in first.err
+    assert solve("exam", "exam.yaml") == first
 
 
 def test_a_question_that_changed_is_solved_alone(solve, tmp_path, solved):
@@ -159,3 +182,14 @@ def test_more_variants_keep_those_there_are(solve, tmp_path, solved):
     assert {name: after[name] for name in before if name != "variants.csv"} == {
         name: content for name, content in before.items() if name != "variants.csv"
     }
+
+
+def test_a_search_that_a_limit_cut_short_is_not_kept():
+    kept, search = [], SimpleNamespace(rejections={Rejection("a > 1"): 2, Rejection.by_limits("time limit"): 1})
+    search.draws = search.count = search.seed = search.most = 9
+    search.source = SimpleNamespace(name="", text="")
+    members = [SimpleNamespace(values={}, text="")]
+    keep_drawn(SimpleNamespace(put=lambda *data: kept.append(data)), search, 2, members)
+    assert not kept
+    keep_drawn(SimpleNamespace(put=lambda *data: kept.append(data)), search, 1, members)
+    assert len(kept) == 1

@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -155,3 +156,22 @@ def test_progress_is_shown_on_a_terminal_and_output_goes_where_it_belongs(tmp_pa
     assert "3/3" in seen
     assert "wrote" not in seen
     assert out.count("wrote out/") == 3
+
+
+FAMILY = "parameters: {a: 2}\nvary: {a: {from: 1, to: 9}}\n" + GOOD.replace("-3", "-a")
+EXAM = (
+    "exam: E\nquestions: [{problem: family.yaml}, {problem: good.yaml}, {problem: family.yaml}]\nvariants: {count: 3}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "shown"),
+    [(("variants", "family.yaml", "--count", "3"), {"3/3"}), (("exam", "exam.yaml"), {"7/7", "3/3"})],
+)
+def test_variants_and_exams_show_how_many_are_done_and_the_time_left(tmp_path, words, shown):
+    for name, text in {"family": FAMILY, "good": GOOD, "exam": EXAM}.items():
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    seen, _, code = run_at_terminal([*words, "--jobs", "2"], tmp_path)
+    assert code == 0
+    assert {each for each in shown if each not in seen} == set()
+    assert re.search(r"\d:\d\d:\d\d", seen)

@@ -54,15 +54,28 @@ def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) ->
     """
     count, found = len(exam.variants), dict[int, list[Drawn]]()
     fixed = [each for each in exam.questions if each.problem.family is None]
-    for question, made in _alike(exam, fixed, means):
+    for question, made in _alike(exam, fixed, means, tell):
         found[question.number] = [Drawn(question, {}, question.source.text, made)] * count
+    done = len(fixed)
     for question in exam.questions:
         if question.problem.family is not None:
-            found[question.number] = _members(exam, question, count, means, tell)
+            found[question.number] = _members(exam, question, count, means, _beyond(done, tell))
+            done += count
+            tell(0, done)
     return [[found[question.number][i] for question in exam.questions] for i in range(count)]
 
 
-def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tuple[Question, QuestionMade]]:
+def to_be_made(exam: Exam) -> int:
+    """Return how many questions `drawn` solves in all: it tells how many are done."""
+    return sum(1 if each.problem.family is None else len(exam.variants) for each in exam.questions)
+
+
+def _beyond(done: int, tell: Tell) -> Tell:
+    """Return what tells of one family where so many questions are done."""
+    return lambda draws, found: tell(draws, done + found)
+
+
+def _alike(exam: Exam, questions: list[Question], means: Means, tell: Tell) -> Iterator[tuple[Question, QuestionMade]]:
     """Yield what was made of the questions that are the same in all variants; raises InputError."""
     results = dict[int, Any]()
     for question in questions:
@@ -72,6 +85,7 @@ def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tupl
     parts = max((_parts(each) for each in new), default=1)
     for place, result in means.executor.calls(_limits(means, parts), question_made, calls):
         results[new[place].number] = result
+        tell(0, sum(each is not None for each in results.values()))
         if isinstance(result, QuestionMade) and result.status is Status.VERIFIED:
             _memory(new[place], means).put(new[place].source.text, result)
     wrong = []
