@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from solver.derivation import Task
-from solver.problem.hundredths import HUNDRED, dealt
+from solver.problem.hundredths import told_in_hundredths
 from solver.problem.model import Part
 from solver.problem.nodes import TRUE, MappingNode, ScalarNode, SequenceNode, scalar, whole_number
 from solver.problem.source import Report, did_you_mean
@@ -92,7 +92,4 @@ def marks_shown(part: Part, task: Task[Any, Any], found: Collection[str]) -> dic
     if not (part.answer_marks or part.asked) and (there := [name for name in told if name in found]):
         told = dict.fromkeys(there, sum(told.values()) / len(there))
     exact = {name: Fraction(int(each.p), int(each.q)) for name, each in told.items()}
-    whole = sum(exact.values(), Fraction(0))
-    if (whole * HUNDRED).denominator != 1:
-        return exact
-    return dict(zip(exact, dealt(whole, list(exact.values())), strict=True))
+    return dict(zip(exact, told_in_hundredths(list(exact.values())), strict=True))

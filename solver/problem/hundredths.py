@@ -8,6 +8,12 @@ from fractions import Fraction
 HUNDRED = 100
 
 
+def told_in_hundredths(shares: Sequence[Fraction]) -> list[Fraction]:
+    """Return shares in hundredths that add up to what they did, as they are where their sum is not in hundredths."""
+    whole = sum(shares, Fraction(0))
+    return dealt(whole, shares) if (whole * HUNDRED).denominator == 1 else list(shares)
+
+
 def dealt(whole: Fraction, shares: Sequence[Fraction]) -> list[Fraction]:
     """Return shares in hundredths whose sum is the whole, by the largest remainders; of equal ones the first."""
     down = [share * HUNDRED // 1 for share in shares]

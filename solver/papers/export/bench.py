@@ -16,6 +16,7 @@ from solver.classroom.reading.answer_file import Submission
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import AnswerName
 from solver.engine import Solution
+from solver.problem.hundredths import told_in_hundredths
 from solver.problem.model import Part, Problem
 from solver.problem.nodes import MappingNode, Node
 from solver.problem.source import Source
@@ -45,6 +46,14 @@ class Bench:
         out_of = {part.id: Fraction(int(part.marks.p), int(part.marks.q)) if part.marks is not None
                   else Fraction(int(not told)) for part in parts}  # fmt: skip
         return {part.id: carried(part, self.blank.ours(part.id), out_of[part.id]) for part in parts}
+
+    @cached_property
+    def told_marks(self) -> dict[str, dict[str, Fraction]]:
+        """Return these marks as they are told: in hundredths that add up to those of the part, where those are some."""
+        return {
+            part: dict(zip(marks, told_in_hundredths(list(marks.values())), strict=True))
+            for part, marks in self.marks.items()
+        }
 
     def declared(self, answer: Answer) -> AnswerName:
         """Return what the catalogue knows of an answer."""

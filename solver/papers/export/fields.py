@@ -55,7 +55,7 @@ def asked_of_answer(bench: Bench, answer: Answer, symbol: str, meaning: str) -> 
     say = bench.blank.messages.say
     if not _is_unique(bench, answer):
         raise NoField(MANY)
-    marks = bench.marks[part.id][name]
+    marks = bench.told_marks[part.id][name]
     whole = name in part.partial and part.partial[name].rule == "none"
     asked = Asked(name, symbol, meaning, "", marks, (), whole=whole)
     if isinstance(value, bool | sp.logic.boolalg.BooleanAtom):
@@ -101,7 +101,7 @@ def _choice(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str], ri
     if any(bench.is_right(answer, each) for each in words if each != right):
         raise NoField(MANY)
     field = Choice(
-        _key(asked.name), _label(bench, asked), tuple(map(say, words)), list(words).index(right), asked.marks
+        _key(asked.name), _label(bench, asked), tuple(map(say, words)), list(words).index(right), _exact(bench, answer)
     )
     return replace(asked, lines=((_lead(asked), field),))
 
@@ -111,8 +111,13 @@ def _spelling(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str]) 
     if not right:
         raise NoField(NOT_OURS)
     form = "An empty list is written as `none`." if words is EMPTY else "Infinity is written as `inf`."
-    field = Spelling(_key(asked.name), _label(bench, asked), right, asked.marks)
+    field = Spelling(_key(asked.name), _label(bench, asked), right, _exact(bench, answer))
     return replace(asked, form=form, lines=((_lead(asked), field),))
+
+
+def _exact(bench: Bench, answer: Answer) -> Fraction:
+    """Return the marks of an answer before they are told in hundredths: systems with weights keep their ratio."""
+    return bench.marks[answer[0].id][answer[1]]
 
 
 def _lead(asked: Asked) -> Fixed:
@@ -144,7 +149,7 @@ def _numbers(bench: Bench, answer: Answer, asked: Asked) -> Asked:
     part, name = answer
     shape, numbers, texts = _shape(bench, answer, asked.symbol)
     wrong = _wrong_values(bench, answer, shape, numbers)
-    marks = asked.marks / len(numbers)
+    marks = _exact(bench, answer) / len(numbers)
     fields = [
         Number(f"{_key(name)}-{i}", _label(bench, asked, place), value_of(number),
                tolerance_of(number, part.digits), marks, text, tuple(wrong[i - 1]))

@@ -73,7 +73,7 @@ class _Parted:
 
     def items(self) -> Iterator[Item]:
         """Yield the item with the answers that have fields, and the one with the others."""
-        marks, part = self.bench.marks[self.part.id], self.part
+        marks, part = self.bench.told_marks[self.part.id], self.part
         works = [work for work in self.told.worked.parts if work.id == part.id and not work.case]
         shown = {answer.name: answer for work in reversed(works) for answer in work.answers}
         names = [name for name in marks if name in shown]

@@ -65,7 +65,7 @@ class Number:
     """A field for a number; right is what differs from `value` by `tolerance` at most (0 for whole numbers).
 
     `key` is unique in its item, `[a-z][a-z0-9-]*`; `label` says in plain words which entry it is. `marks` are what it
-    carries; `typed` is the right value to the digits asked. No number is within the tolerance of two values.
+    carries, exactly; `typed` is the right value to the digits asked. No number is within the tolerance of two values.
     """
 
     key: str
@@ -115,7 +115,7 @@ class Asked:
     `name` is that of the catalogue, `symbol` its LaTeX, `meaning` says what it is, `form` how it is typed (both
     Markdown of one line). It is laid out in `lines`: where it is a `grid`, a matrix, each is a row of
     fields only, and `symbol =` stands before all of them; else each line is read from left to right, and its first cell
-    says what it is (`K =`). All fields carry its `marks` together, in equal shares; with `whole` its marks are earned
+    says what it is (`K =`). All fields carry its `marks` together, which are in hundredths where those of the part are; with `whole` its marks are earned
     only where all fields are right, if the system can say so.
     """
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from solver.papers.export.quiz import Asked, Field, Group, Item, Quiz
-from solver.problem.hundredths import HUNDRED, dealt
+from solver.problem.hundredths import told_in_hundredths
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,11 +59,8 @@ def _versions(groups: Sequence[Group]) -> tuple[Version, ...]:
 def marks_of_fields(asked: Asked) -> dict[Field, Fraction]:
     """Return what each field of an answer carries: equal shares, in hundredths that add up where the whole is some."""
     fields = list(asked.fields)
-    if not fields:
-        return {}
-    shares = [asked.marks / len(fields)] * len(fields)
-    told = dealt(asked.marks, shares) if (asked.marks * HUNDRED).denominator == 1 else shares
-    return dict(zip(fields, told, strict=True))
+    shares = [asked.marks / len(fields) for _ in fields]
+    return dict(zip(fields, told_in_hundredths(shares), strict=True))
 
 
 def decimal(marks: Fraction) -> str:

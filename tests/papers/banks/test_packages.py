@@ -2,15 +2,19 @@
 
 import io
 import zipfile
+from decimal import Decimal
 
 import pytest
 from lxml import etree
 
 from solver.papers.export.canvas import canvas_package
+from solver.papers.export.moodle import moodle_xml
 from solver.papers.export.qti import qti_package
 from solver.papers.export.quiz import Number
+from solver.papers.export.versions import decimal, marks_of_fields
 from tests.papers.banks.canvas_reader import quizzes_of
 from tests.papers.banks.making import items_of, quiz_with
+from tests.papers.banks.moodle_reader import read_moodle
 from tests.papers.banks.qti_processor import Attempt
 from tests.papers.banks.qti_schema import faults
 
@@ -91,3 +95,28 @@ def test_questions_of_canvas_say_which_entry_they_want(questions):
     assert [each.title.rpartition(": ")[2] for each in gain] == ["K, row 1, column 1", "K, row 1, column 2"]
     assert [each.points for each in gain] == [2.0, 2.0]
     assert r"\boxed{?} &amp; \cdot" in gain[0].text
+
+
+THIRDS = """\
+title: Thirds
+system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
+find:
+  a: {task: stability, answers: [verdict, eigenvalues, bibo_stable]}
+  b: {task: eigenstructure, answers: [eigenvalues, right_eigenvectors, left_eigenvectors]}
+"""
+
+
+def test_the_fields_of_a_part_add_up_to_its_marks_in_hundredths():
+    items = items_of(THIRDS)
+    assert sum(each.marks for name, each in items.items() if name.startswith("b")) == 1
+    archive = zipfile.ZipFile(io.BytesIO(qti_package(quiz_with(items))))
+    for item in items.values():
+        shares = [share for asked in item.answers for share in marks_of_fields(asked).values()]
+        assert all((share * 100).denominator == 1 for share in [*shares, item.marks])
+        assert sum(shares) == (item.marks if item.answers else 0)
+        root = etree.fromstring(archive.read(f"items/{item.identifier}.xml"))
+        assert root.xpath("string(//*[@identifier='MAXSCORE']/*/*)") == decimal(item.marks)
+    (found,) = quizzes_of(canvas_package(quiz_with(items)))
+    assert sum(Decimal(str(each.points)) for each in found.entries) == 2
+    (first, *_) = read_moodle(moodle_xml(quiz_with(items)))
+    assert [gap.weight for gap in first.gaps] == [2, 1, 1, 2]  # Moodle keeps the ratio in whole weights
