@@ -74,7 +74,7 @@ def write_exam(order: Order) -> int:
     with order.workers.executor() as executor, Record(order.folder, anew=order.again) as record:
         space = None if order.space is None else Fraction(str(order.space))
         kept = NOTHING if order.exports else store  # nothing stands beside an export
-        means = Means(order.presentation, order.limits, executor, order.draws, space, kept)
+        means = Means(order.presentation, order.limits, executor, order.draws, space, kept, partly=bool(order.exports))
         code = _make(order, exam, means, record)
         if code == SOLVED and not order.exports:
             store.forget_others()

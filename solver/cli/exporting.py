@@ -28,6 +28,8 @@ def write_exports(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]],
             click.echo(f"error: {fault}", err=True)
         click.echo("nothing was written: every question of every variant must be told", err=True)
         return UNSOLVED
+    for each in bank.left_out:
+        click.echo(f"left out, as it has no solution: {each}", err=True)
     paths = []
     for name in order.exports:
         export = EXPORTS[name]

@@ -37,7 +37,8 @@ class AnswerName:
     equation may be written for one, or they are `intervals` of real numbers. A `discrete` one is of a system in
     discrete time, also where that of the question is not; its sampling period is the option `sample_time`. Of a
     matrix of `any_size` right ones may differ in size. An expression in `signals` (which these are depends on what is
-    given) may differentiate and integrate them.
+    given) may differentiate and integrate them. Of a `numbered` list the question tells how many items it has; an
+    `infinite` number may be infinite. Whether the entries of a `modal` matrix are complex is part of what is asked.
     """
 
     name: str
@@ -59,6 +60,9 @@ class AnswerName:
     intervals: bool = False
     discrete: bool = False
     any_size: bool = False
+    numbered: bool = False
+    infinite: bool = False
+    modal: bool = False
     signals: Callable[[Given[Any, Any]], SignalNames] | None = None
 
     def is_free(self, given: Given[Any, Any]) -> bool:

@@ -16,7 +16,7 @@ def test_a_bank_is_written_in_place_of_papers(solve, exam, tmp_path):
     done = solve("exam", exam, "-o", "build", "--export", "moodle", "--jobs", 1)
     assert done.code == 0, done.err
     assert [path.name for path in (tmp_path / "build").iterdir()] == ["exam-moodle.xml"]
-    assert "8 questions, 7 with fields, 1 essay, all verified" in done.out
+    assert "8 questions, 6 with fields, 2 essays, all verified" in done.out
     assert (
         "essay: Question 3, (c) Eigenvalues and eigenvectors, in words: right_eigenvectors: several values are right"
         in done.err
@@ -69,3 +69,14 @@ def test_nothing_is_written_where_a_question_is_not_verified(solve, tmp_path):
     assert done.code == 1
     assert "nothing was written" in done.err
     assert not list(tmp_path.rglob("*-moodle.xml"))
+
+
+def test_a_part_without_a_solution_is_left_out_and_the_others_go_on(solve, tmp_path):
+    write_exam(tmp_path, EXAM, step='title: t\nsystem: {A: [[1, 0], [0, 2]], B: [0, 1]}\n'
+               "find: {a: {task: pole_placement, poles: [-1, -2]}, b: controllability}\n")  # fmt: skip
+    done = solve("exam", "exam.yaml", "-o", "build", "--export", "moodle", "--jobs", 1)
+    assert done.code == 0, done.err
+    assert "left out, as it has no solution: " in done.err
+    assert "part a: " in done.err
+    read = read_moodle((tmp_path / "build" / "exam-moodle.xml").read_bytes())
+    assert [each.idnumber for each in read if each.idnumber.startswith("final-exam-2")] == ["final-exam-2-b"]

@@ -25,7 +25,7 @@ class Means:
     """How papers are made: how the key is told, what a part may take, who makes the calls, how many draws.
 
     `space` are the millimetres left blank for each mark of a part; None leaves no space for answers. `kept` knows what
-    was made before.
+    was made before. With `partly` a question may have parts without a solution, where it is the same in all variants.
     """
 
     presentation: Presentation = field(default_factory=lambda: Presentation("key"))
@@ -34,6 +34,7 @@ class Means:
     draws: int = MOST_DRAWS
     space: Fraction | None = None
     kept: Kept = NOTHING
+    partly: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +94,7 @@ def _alike(exam: Exam, questions: list[Question], means: Means, tell: Tell) -> I
         result = results[question.number]
         if isinstance(result, Exceeded):
             wrong.append(question.node.diagnostic(f"question {question.number} cannot be solved: {result.reason}"))
-        elif result.status is not Status.VERIFIED:
+        elif result.status is Status.FAILED or (result.status is Status.UNSOLVED and not means.partly):
             message = f"question {question.number} is {result.status}: {result.reason}"
             wrong.append(question.node.diagnostic(message))
         else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
@@ -15,9 +16,9 @@ from solver.classroom.kinds import kind_of
 from solver.classroom.verdicts import Verdict
 from solver.papers.export.bench import Answer, Bench
 from solver.papers.export.decimals import exactly, tolerance_of, typed, value_of
-from solver.papers.export.quiz import Asked, Choice, Fixed, Number, Spelling, Wrong
-from solver.papers.export.scalars import VARIABLES
-from solver.papers.export.shapes import Shape, shape_of
+from solver.papers.export.quiz import Asked, Choice, Fixed, Number, Wrong
+from solver.papers.export.scalars import VARIABLES, Real
+from solver.papers.export.shapes import Shape, shape_of, with_parts
 from solver.render.prose import plain
 from solver.words import Phrase
 
@@ -27,10 +28,11 @@ MOST_WRONG = 4
 WRONG_DIGITS = 6
 """Digits to which a wrong value is typed where our marking is asked about it."""
 
-INFINITE = ("inf", "oo", "infinity", "∞", "unendlich")
-EMPTY = ("none", "[]", "{}", "keine")
+INFINITE = {sp.oo: 999999, -sp.oo: -999999}
+"""What is typed for infinity where a number may be infinite: a field for a word would tell that it is."""
 
 MANY = "several values are right, by what the question asks of them"
+HOW_MANY = "how many values there are is part of what is asked"
 LETTERS = "it is a formula in letters"
 OF_TIME = "it is a function"
 NOT_OURS = "the value, rounded as it is asked for, is not right by the marking of answer files"
@@ -38,6 +40,7 @@ FORM = "its form is what is asked"
 OTHERS = "it is {kind}"
 CONVENTION = "The {option} is {value}."
 UNIT = "It is told in {unit}."
+INFINITY = "Infinity is written as {number}, minus infinity as -{number}."
 ANGLES = "Angles are in degrees, above -180 and at most 180."
 
 DEGREES = "°"
@@ -62,11 +65,17 @@ def asked_of_answer(bench: Bench, answer: Answer, symbol: str, meaning: str) -> 
         found = _choice(bench, answer, asked, ("yes", "no"), "yes" if value else "no")
     elif isinstance(value, str) and value in declared.words:
         found = _choice(bench, answer, asked, declared.words, value)
-    elif value in (sp.oo, []):
-        found = _spelling(bench, answer, asked, INFINITE if value == sp.oo else EMPTY)
+    elif isinstance(value, list | tuple) and not declared.numbered:
+        raise NoField(HOW_MANY)
+    elif declared.modal:
+        raise NoField(FORM)
+    elif declared.infinite and value in INFINITE:
+        found = _infinite(bench, answer, asked)
     else:
         found = _numbers(bench, answer, asked)
     told = [say(each) for each in found.form.split("\n") if each]
+    if declared.infinite:
+        told.append(say(Phrase(INFINITY, number=INFINITE[sp.oo])))
     if declared.unit == DEGREES:
         told.append(say(ANGLES))
     elif declared.unit and declared.unit != "ratio":
@@ -85,6 +94,8 @@ def _is_unique(bench: Bench, answer: Answer) -> bool:
     if bench.blank.is_determined(part, name):
         return True
     ours = bench.blank.ours(part.id)[name]
+    if declared.infinite and ours in INFINITE:
+        return True
     angles = [exactly(each) for each in (ours if isinstance(ours, list | tuple) else [ours])]
     return declared.unit == DEGREES and all(map(_in_range, angles))
 
@@ -106,13 +117,17 @@ def _choice(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str], ri
     return replace(asked, lines=((_lead(asked), field),))
 
 
-def _spelling(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str]) -> Asked:
-    right = tuple(each for each in words if bench.is_right(answer, each))
-    if not right:
+def _infinite(bench: Bench, answer: Answer, asked: Asked) -> Asked:
+    """Return the field for a number that is infinite, which looks as one for any other."""
+    value = bench.blank.ours(answer[0].id)[answer[1]]
+    if not bench.is_right(answer, "oo" if value == sp.oo else "-oo"):
         raise NoField(NOT_OURS)
-    form = "An empty list is written as `none`." if words is EMPTY else "Infinity is written as `inf`."
-    field = Spelling(_key(asked.name), _label(bench, asked), right, _exact(bench, answer))
-    return replace(asked, form=form, lines=((_lead(asked), field),))
+    code = INFINITE[value]
+    shape = Shape("scalar", (Real(),), (asked.symbol,), ())
+    field = Number(
+        f"{_key(asked.name)}-1", _label(bench, asked), Decimal(code), Decimal(0), _exact(bench, answer), str(code)
+    )
+    return replace(asked, lines=shape.lines([field]))
 
 
 def _exact(bench: Bench, answer: Answer) -> Fraction:
@@ -134,6 +149,8 @@ def _shape(bench: Bench, answer: Answer, symbol: str) -> tuple[Shape, Sequence[F
     why: str = _why(value)
     for ordered in dict.fromkeys((bench.declared(answer).ordered, True)):
         shape = shape_of(value, symbol, ordered=ordered)
+        if shape is not None and not bench.declared(answer).unit:
+            shape = with_parts(shape)
         numbers = shape.numbers(value) if shape is not None else None
         if shape is None or numbers is None:
             continue
@@ -228,10 +245,9 @@ def _key(name: str) -> str:
     return "f-" + re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
-def _label(bench: Bench, asked: Asked, place: tuple[str, Mapping[str, Any]] = ("", {})) -> str:
-    pattern, values = place
+def _label(bench: Bench, asked: Asked, places: Sequence[tuple[str, Mapping[str, Any]]] = ()) -> str:
     say: Callable[[str], str] = bench.blank.messages.say
-    told = [bench.blank.messages.named(asked.name), say(Phrase(pattern, **values)) if pattern else ""]
+    told = [bench.blank.messages.named(asked.name), *(say(Phrase(words, **of)) for words, of in places if words)]
     return ", ".join(filter(None, told))
 
 

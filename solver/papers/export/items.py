@@ -5,7 +5,8 @@ There is one for each part, two where some of its answers have fields and others
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import PurePath
@@ -28,6 +29,9 @@ from solver.tasks import catalogue
 from solver.words import Phrase
 
 ONLY = "Here only this is asked: {names}."
+BELONGS = "Say of each vector to which eigenvalue it belongs."
+LETTERED = re.compile(r" \([^()]*\)$")
+"""The last bracket of what an answer is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,10 +45,14 @@ class Told:
 
 @dataclass(frozen=True, slots=True)
 class ItemsMade:
-    """The items of each part of a question, with the part's letter and title; why there are none, if it failed."""
+    """The items of each part of a question, with the part's letter and title; why there are none, if it failed.
+
+    A part that has no solution has no items; `left_out` says of each why.
+    """
 
     parts: tuple[tuple[str, str, tuple[Item, ...]], ...] = ()
     fault: str = ""
+    left_out: tuple[str, ...] = ()
 
 
 def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
@@ -54,13 +62,18 @@ def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
     solution = solve_problem(problem, messages=told.messages(problem.display))
     name = PurePath(source).name
     worked = document_of(solution, told, name)
-    if worked.status is not Status.VERIFIED:
-        part = next(part for part in worked.parts if part.status is not Status.VERIFIED)
+    unsolved = {work.id: work for work in reversed(worked.parts) if work.status is not Status.VERIFIED}
+    if worked.status is Status.FAILED or len(unsolved) == len(problem.parts):
+        part = next(part for part in worked.parts if part.status is worked.status)
         return ItemsMade(fault=f"part {part.letter}: {part.reason}")
     paper, key = (worked.told(detail=detail, checks="") for detail in ("question", "key"))
     bench, words = Bench(solution), Told(paper, worked, key)
     letters = {work.id: (work.letter, work.title) for work in paper.parts if not work.case}
-    return ItemsMade(tuple((*letters[part.id], tuple(_Parted(bench, part, words).items())) for part in problem.parts))
+    items = {part.id: tuple(_Parted(bench, part, words).items()) for part in problem.parts if part.id not in unsolved}
+    return ItemsMade(
+        tuple((*letters[part.id], items.get(part.id, ())) for part in problem.parts),
+        left_out=tuple(f"part {each.letter}: {each.reason}" for each in reversed(unsolved.values())),
+    )
 
 
 @dataclass(frozen=True)
@@ -78,23 +91,31 @@ class _Parted:
         shown = {answer.name: answer for work in reversed(works) for answer in work.answers}
         names = [name for name in marks if name in shown]
         fields, reasons = dict[str, Asked](), dict[str, str]()
+        partly = not set(self.bench.blank.ours(part.id)) <= set(marks)
         for name in names:
             try:
-                meaning = self._meaning(shown[name])
-                fields[name] = asked_of_answer(self.bench, (part, name), _symbol(shown[name]), meaning)
+                answer = self._in_numbers(shown[name])
+                fields[name] = asked_of_answer(self.bench, (part, name), _symbol(answer), self._meaning(answer))
+                shown[name] = answer
             except NoField as why:
                 reasons[name] = self.bench.blank.messages.say(why.args[0])
         if fields:
-            item = self._item({name: marks[name] for name in fields}, shown, only=bool(reasons))
+            item = self._item({name: marks[name] for name in fields}, shown, only=partly or bool(reasons))
             item = replace(item, answers=tuple(fields.values()))
             if any(isinstance(each, Number) for each in item.fields):
                 told = Text(self.bench.blank.messages.say(Phrase(NUMBERS, digits=part.digits)))
                 item = replace(item, question=replace(item.question, blocks=(*item.question.blocks, told)))
             yield item
         if reasons:
-            item = self._item({name: marks[name] for name in reasons}, shown, only=bool(fields))
+            more = [BELONGS] if fields and any(self.bench.declared((part, name)).vectors for name in reasons) else []
+            item = self._item({name: marks[name] for name in reasons}, shown, only=partly or bool(fields), more=more)
             asked = tuple((_symbol(shown[name]), self._meaning(shown[name])) for name in reasons)
             yield replace(item, essay=Essay(asked, key_of(self.told.key, part.id, reasons), reasons))
+
+    def _in_numbers(self, answer: WorkAnswer) -> WorkAnswer:
+        """Return an answer that has fields without what its meaning says of letters: it has none."""
+        about_letters = self.bench.declared((self.part, answer.name)).doc.endswith("stay letters)")
+        return replace(answer, doc=LETTERED.sub("", answer.doc)) if about_letters else answer
 
     def _meaning(self, answer: WorkAnswer) -> str:
         """Return what an answer is; one without a symbol is named: "controllable: whether the rank is n"."""
@@ -105,10 +126,13 @@ class _Parted:
         """Return what an answer is, with its symbol (Markdown)."""
         return f"${answer.symbol}$ ({answer.doc})" if answer.symbol else self._meaning(answer)
 
-    def _item(self, marks: Mapping[str, Fraction], shown: Mapping[str, WorkAnswer], *, only: bool) -> Item:
+    def _item(
+        self, marks: Mapping[str, Fraction], shown: Mapping[str, WorkAnswer], *, only: bool, more: Sequence[str] = ()
+    ) -> Item:
         """Return an item that asks for the answers that carry these marks, still without fields."""
         say = self.told.paper.messages.say
         last = [say(Phrase(ONLY, names=", ".join(map(self._named, (shown[name] for name in marks)))))] if only else []
+        last += map(say, more)
         return Item(
             identifier="",
             name="",

@@ -24,10 +24,11 @@ FACTOR = 3
 
 @dataclass(frozen=True, slots=True)
 class Bank:
-    """The bank, and why questions are missing in it, by what they are called."""
+    """The bank, why questions are missing in it, and which parts are, as they have no solution."""
 
     quiz: Quiz
     faults: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
 
 
 def quiz_of(exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means) -> Bank:
@@ -40,16 +41,18 @@ def quiz_of(exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means) -> Ba
     calls = [(drawn.text, drawn.question.source.name, _wanted(drawn.question, means)) for drawn, _ in asked]
     groups: dict[tuple[int, int, bool], Group] = {}
     faults: list[str] = []
+    left_out: dict[str, None] = {}
     results = means.executor.in_order(limits, items_made, calls)
     for (drawn, variant), made in zip(asked, results, strict=True):
         if isinstance(made, Exceeded) or made.fault:
             faults.append(f"{namer.title(drawn.question)}: {getattr(made, 'fault', '') or made.reason}")
             continue
+        left_out |= dict.fromkeys(f"{namer.title(drawn.question)}: {each}" for each in made.left_out)
         for key, group in namer.groups(drawn.question, variant, made):
             before = groups.get(key)
             groups[key] = replace(before, items=(*before.items, *group.items)) if before else group
     ordered = tuple(groups[key] for key in sorted(groups))
-    return Bank(Quiz(exam.title, exam.course, messages.language, ordered), tuple(faults))
+    return Bank(Quiz(exam.title, exam.course, messages.language, ordered), tuple(faults), tuple(left_out))
 
 
 def _asked(exam: Exam, variants: Sequence[Sequence[Drawn]]) -> Iterator[tuple[Drawn, Variant | None]]:

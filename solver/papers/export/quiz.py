@@ -115,8 +115,8 @@ class Asked:
     `name` is that of the catalogue, `symbol` its LaTeX, `meaning` says what it is, `form` how it is typed (both
     Markdown of one line). It is laid out in `lines`: where it is a `grid`, a matrix, each is a row of
     fields only, and `symbol =` stands before all of them; else each line is read from left to right, and its first cell
-    says what it is (`K =`). All fields carry its `marks` together, which are in hundredths where those of the part are; with `whole` its marks are earned
-    only where all fields are right, if the system can say so.
+    says what it is (`K =`). All fields carry its `marks` together, in equal shares; they are in hundredths where
+    those of the part are. With `whole` its marks are earned only where all fields are right, if the system can say so.
     """
 
     name: str

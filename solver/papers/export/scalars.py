@@ -16,6 +16,9 @@ from solver.papers.export.decimals import complex_parts, exactly
 from solver.papers.export.quiz import Field, Fixed
 
 Numbers = list[Fraction]
+Words = tuple[str, dict[str, str]]
+"""A phrase and its values, which tell what one of several fields is."""
+
 Cells = tuple[Field | Fixed, ...]
 
 VARIABLES = ("s", "z", "lamda")
@@ -25,6 +28,9 @@ MOST_DEGREE = 12
 
 PARTS = "A complex number has a field for its real and one for its imaginary part, which is 0 where it is real."
 COEFFICIENTS = "The fields are the coefficients, each with its sign; one that is missing is 0."
+COEFFICIENT = "coefficient of {power}"
+ABOVE = "numerator, coefficient of {power}"
+BELOW = "denominator, coefficient of {power}"
 QUOTIENT = "It is asked for in lowest terms, the leading coefficient of the denominator being 1."
 
 
@@ -39,6 +45,11 @@ class Real:
         """Return the numbers in the fields, None where the value is not of this kind."""
         number = exactly(value)
         return None if number is None else [number]
+
+    @property
+    def parts(self) -> list[Words]:
+        """Return what each field is, in words."""
+        return [("", {})]
 
     def lines(self, lead: str, fields: Sequence[Field]) -> list[Cells]:
         """Return the fields behind what says what they are (LaTeX)."""
@@ -60,6 +71,11 @@ class Complex:
         """Return the two parts."""
         parts = complex_parts(value)
         return None if parts is None else list(parts)
+
+    @property
+    def parts(self) -> list[Words]:
+        """Return what each field is, in words."""
+        return [("real part", {}), ("imaginary part", {})]
 
     def lines(self, lead: str, fields: Sequence[Field]) -> list[Cells]:
         """Return a + b j."""
@@ -91,6 +107,11 @@ class Polynomial:
             return None
         return _all(exactly(each) for each in poly.all_coeffs()[self.monic :])
 
+    @property
+    def parts(self) -> list[Words]:
+        """Return what each field is, in words."""
+        return _powers(COEFFICIENT, self.variable, self.count)
+
     def lines(self, lead: str, fields: Sequence[Field]) -> list[Cells]:
         """Return s^2 + [ ] s + [ ]."""
         return [_sum(f"{lead} =", self.variable, self.degree, self.monic, fields)]
@@ -121,6 +142,11 @@ class Quotient:
             return None
         coefficients = [*terms[0].all_coeffs(), *terms[1].all_coeffs()[1:]]
         return _all(exactly(each) for each in coefficients)
+
+    @property
+    def parts(self) -> list[Words]:
+        """Return what each field is, in words."""
+        return [*_powers(ABOVE, self.variable, self.above + 1), *_powers(BELOW, self.variable, self.below)]
 
     def lines(self, lead: str, fields: Sequence[Field]) -> list[Cells]:
         """Return the numerator on a line and the denominator on the next."""
@@ -217,6 +243,13 @@ def _sum(lead: str, variable: str, degree: int, monic: bool, fields: Sequence[Fi
             between = shown
         between = f"{between} +" if power else ""
     return tuple(cells)
+
+
+def _powers(pattern: str, variable: str, count: int) -> list[Words]:
+    """Return what the coefficients of so many powers are, the highest first, in plain words."""
+    letter = "λ" if variable == "lamda" else variable
+    powers = [letter if i == 1 else f"{letter}^{i}" for i in reversed(range(count))]
+    return [(pattern, {"power": power}) for power in powers]
 
 
 def _power(variable: str, power: int) -> str:

@@ -25,7 +25,7 @@ IN_ORDER = "In these fields the values stand in their order."
 POINTS = "In these fields the points stand in ascending order of the first value, of equal ones of the next."
 BOUNDS = "The fields are the bounds."
 
-_COUNTED = re.compile(r"_\{?[ik]\}?$")
+_COUNTED = re.compile(r"_(?:[ik]|\{(?:[ik]|1, ?2)\})$")
 
 TIE = 20
 """Digits to which values are ordered: what differs less is the same number computed in two ways."""
@@ -134,9 +134,9 @@ class Shape:
         return "{" + points[0] + "}" if self.kind == "names" else "[" + ", ".join(f"{{{p}}}" for p in points) + "]"
 
     @property
-    def places(self) -> list[tuple[str, dict[str, Any]]]:
-        """For each field the phrase that tells its place in the answer, and its values."""
-        found: list[tuple[str, dict[str, Any]]] = []
+    def places(self) -> list[list[tuple[str, dict[str, Any]]]]:
+        """For each field the phrases that tell its place in the answer, with their values."""
+        found: list[list[tuple[str, dict[str, Any]]]] = []
         width = max(1, len(self.scalars) // self.rows)
         for i, scalar in enumerate(self.scalars):
             place: tuple[str, dict[str, Any]] = ("", {})
@@ -144,7 +144,7 @@ class Shape:
                 place = ("row {row}, column {column}", {"row": i // width + 1, "column": i % width + 1})
             elif len(self.scalars) > 1:
                 place = ("value {number}", {"number": i + 1})
-            found += [place] * scalar.count
+            found += [[place, part] for part in scalar.parts]
         return found
 
 
@@ -207,11 +207,18 @@ def _list(value: Sequence[Any], symbol: str, *, ordered: bool) -> Shape | None:
     if not value or not (numeric or ordered):
         return None
     told: tuple[str, ...] = (IN_ORDER,) if ordered else (ASCENDING,)
-    if numeric and not ordered and any(exactly(each) is None for each in value):
-        told = (*told, COMPLEX_ORDER)
     leads = [_entry(symbol, str(i)) for i in range(1, len(value) + 1)] if len(value) > 1 else [symbol]
     shape = _of_scalars("list", in_order(value, ordered), leads, told if len(value) > 1 else ())
     return shape and replace(shape, ordered=ordered)
+
+
+def with_parts(shape: Shape) -> Shape:
+    """Return a list of numbers with two fields for each: those that it has must not tell that all of them are real."""
+    if shape.kind != "list" or shape.ordered or shape.count == 1:
+        return shape
+    return replace(
+        shape, scalars=tuple(Complex() for _ in shape.scalars), told=(ASCENDING, COMPLEX_ORDER, *Complex().told)
+    )
 
 
 def _points(value: Sequence[Mapping[Any, Any]]) -> Shape | None:
@@ -225,7 +232,7 @@ def _points(value: Sequence[Mapping[Any, Any]]) -> Shape | None:
 
 
 def _entry(symbol: str, index: str) -> str:
-    r"""Return the name of an entry; an index that counts, as in \lambda_{i}, gives way to its number."""
+    r"""Return the name of an entry; an index that counts, as in \lambda_{i} and s_{1,2}, gives way to its number."""
     return latex(entry_name(read(_COUNTED.sub("", symbol)), index))
 
 

@@ -38,7 +38,11 @@ dc_gain: Task[Plant, LoopOptions] = Task(
     doc="G(0), in discrete time G(1): the gain of a constant input in the stationary state.",
     needs=("path",),
     options=LoopOptions,
-    answers=[AnswerName("dc_gain", r"\text{DC gain}", "the DC gain", unit="ratio", earned=("value", "integrators"))],
+    answers=[
+        AnswerName(
+            "dc_gain", r"\text{DC gain}", "the DC gain", unit="ratio", infinite=True, earned=("value", "integrators")
+        )
+    ],
 )
 
 

@@ -63,7 +63,9 @@ desired_poles: Task[System, StepSpecifications] = Task(
     answers=[
         AnswerName("damping_ratio", r"\sym{damping_ratio}", "the damping ratio"),
         AnswerName("natural_frequency", r"\omega_n", "the natural frequency", unit="rad/s"),
-        AnswerName("poles", "s_{1,2}", "the poles", principal=True, earned=("damping_and_frequency", "poles")),
+        AnswerName(
+            "poles", "s_{1,2}", "the poles", principal=True, numbered=True, earned=("damping_and_frequency", "poles")
+        ),
         AnswerName("polynomial", r"\hat{p}(s)", "the characteristic polynomial with these roots"),
     ],
     example={"overshoot": "14%", "settling_time": "2"},

@@ -89,7 +89,9 @@ lqr: Task[WithInput, LqrOptions] = Task(
         AnswerName("Q", "Q", "the weight of the state"),
         AnswerName("R", "R", "the weight of the input"),
         AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop"),
-        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop", told=("closed_loop",)),
+        AnswerName(
+            "eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop", numbered=True, told=("closed_loop",)
+        ),
         AnswerName("cost", r"J^{*}", "the least cost from the initial state", optional=True),
         *LISTED,
         MINIMAL,

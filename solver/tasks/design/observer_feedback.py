@@ -100,7 +100,12 @@ observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
             earned=("separation",),
         ),
         AnswerName(
-            "eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop", optional=True, earned=("separation",)
+            "eigenvalues",
+            r"\lambda_i",
+            "the eigenvalues of the closed loop",
+            optional=True,
+            numbered=True,
+            earned=("separation",),
         ),
         AnswerName(
             "compensator",

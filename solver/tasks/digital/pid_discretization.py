@@ -60,6 +60,7 @@ pid_discretization: Task[Any, PidDiscretizationOptions] = Task(
             "q_i",
             "the coefficients of e(k), e(k − 1), e(k − 2) in u(k) = u(k − 1) + q₀ e(k) + q₁ e(k − 1) + q₂ e(k − 2)",
             ordered=True,
+            numbered=True,
             earned=EARNED,
         ),
     ],

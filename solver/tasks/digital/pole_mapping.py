@@ -53,7 +53,8 @@ pole_mapping: Task[StateSpace, PoleMappingOptions] = Task(
     options=PoleMappingOptions,
     example={"poles": "[-1 ± 2j]", "sample_time": "T"},
     answers=[
-        AnswerName("poles", "z_i", "the poles in z, in the order of those in s", principal=True, earned=("mapped",)),
+        AnswerName("poles", "z_i", "the poles in z, in the order of those in s", principal=True, numbered=True,
+                   earned=("mapped",)),
         AnswerName("polynomial", "p(z)", "the monic polynomial in z that has them", principal=True,
                    earned=("factors", "polynomial")),
     ],

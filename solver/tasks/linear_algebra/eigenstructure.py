@@ -39,12 +39,14 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
             r"\lambda_i",
             "the eigenvalues, each as often as its multiplicity",
             principal=True,
+            numbered=True,
             earned=("expansion", "companion", "quadratic", "spectrum"),
         ),
         AnswerName(
             "right_eigenvectors",
             "V",
-            r"right eigenvectors, $A\nu = \lambda\nu$ (chains where $A$ is defective), as columns in that order",
+            r"right eigenvectors, $A\nu = \lambda\nu$ (chains where $A$ is defective), "
+            "as columns in the order of the eigenvalues",
             free=True,
             vectors="columns",
             principal=True,
@@ -56,7 +58,7 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
             free=True,
             vectors="rows",
         ),
-        AnswerName("jordan_form", "J", "the Jordan form, $AV = VJ$, with its ones above the diagonal"),
+        AnswerName("jordan_form", "J", "the Jordan form, $AV = VJ$, with its ones above the diagonal", modal=True),
         AnswerName("diagonalizable", r"\text{diagonalizable}", "whether $A$ has $n$ independent eigenvectors"),
     ],
 )

@@ -66,11 +66,17 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
             r"e(\infty)",
             "the limit of the error r − y",
             principal=True,
+            infinite=True,
             earned=("at_both_ends", "stable", "unity", "reference", "disturbance", "final_value", "by_constants"),
         ),
         AnswerName("system_type", r"\text{type}", "the number of integrators of L", count=True, earned=("constants",)),
         AnswerName(
-            "position_constant", "K_p", "lim L(s) for s → 0, lim L(z) for z → 1", optional=True, earned=("constants",)
+            "position_constant",
+            "K_p",
+            "lim L(s) for s → 0, lim L(z) for z → 1",
+            optional=True,
+            infinite=True,
+            earned=("constants",),
         ),
         AnswerName(
             "velocity_constant",
@@ -78,10 +84,16 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
             "lim s L(s), lim (z − 1) L(z)/T",
             optional=True,
             unit="1/s",
+            infinite=True,
             earned=("constants",),
         ),
         AnswerName(
-            "acceleration_constant", "K_a", "lim s² L(s), lim (z − 1)² L(z)/T²", optional=True, earned=("constants",)
+            "acceleration_constant",
+            "K_a",
+            "lim s² L(s), lim (z − 1)² L(z)/T²",
+            optional=True,
+            infinite=True,
+            earned=("constants",),
         ),
     ],
 )

@@ -80,7 +80,7 @@ decoupling: Task[WithBoth, DecouplingOptions] = Task(
             "relative_degrees",
             "r_i",
             "the relative degrees: which derivative of each output an input acts on first (∞: on none)",
-            ordered=True,
+            ordered=True, numbered=True,
             principal=True,
             earned=("differentiated",),
         ),

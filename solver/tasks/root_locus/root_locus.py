@@ -44,7 +44,7 @@ root_locus: Task[CharacteristicEquation, RootLocusOptions] = Task(
     answers=[
         AnswerName("real_axis_segments", r"\text{real axis}", "the parts of the real axis that belong to the locus",
                    intervals=True, earned=("segments",)),
-        AnswerName("asymptote_angles", r"\vartheta_{k}", "the directions of the asymptotes, in degrees",
+        AnswerName("asymptote_angles", r"\vartheta_{k}", "the directions of the asymptotes, in degrees", numbered=True,
                    free=True, unit="°", earned=("asymptotes",)),
         AnswerName("centroid", r"\sigma_{a}", "where the asymptotes start", optional=True, earned=("asymptotes",)),
         AnswerName("breakaway_points", r"s_{b}", "the points where branches meet, K ≥ 0", earned=("turning", "gains")),

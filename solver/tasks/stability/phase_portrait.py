@@ -57,7 +57,7 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
             words=KINDS,
             earned=("spectrum", "invariants", "sizes", "conditions", "kind"),
         ),
-        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
+        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", numbered=True),
         AnswerName("exceptions", r"\text{exceptions}", "where the parameters make it another", optional=True),
     ],
 )

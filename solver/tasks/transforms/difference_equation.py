@@ -32,7 +32,7 @@ difference_equation: Task[Equations, DifferenceOptions] = Task(
         AnswerName("solution", r"\text{solution}", "the unknowns as functions of $k \\ge 0$", principal=True,
                    optional=True, earned=("equations", "solved", "partial_fractions", "times_z")),
         AnswerName("values", r"\text{values}", "the first values of the first unknown, from $k = 0$ on",
-                   ordered=True, principal=True, earned=("latest", "table", "first_terms")),
+                   ordered=True, numbered=True, principal=True, earned=("latest", "table", "first_terms")),
     ],
 )  # fmt: skip
 

@@ -50,7 +50,7 @@ inverse_z_transform: Task[StateSpace, InverseZOptions] = Task(
         AnswerName("partial_fractions", "F", "the image as a sum of partial fractions, each with its $z$",
                    optional=True),
         AnswerName("values", r"\text{values}", "$f(0), f(1), f(2), \\ldots$",
-                   ordered=True, principal=True, earned=("scheme", "first_terms")),
+                   ordered=True, numbered=True, principal=True, earned=("scheme", "first_terms")),
     ],
     sampled=True,
 )  # fmt: skip
