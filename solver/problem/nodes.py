@@ -188,7 +188,7 @@ def whole_number(node: Node, name: str, minimum: int | None, maximum: int | None
         f"at most {maximum}" if maximum is not None else "",
     ]
     expected = " and ".join(["a whole number", *filter(None, bounds)]).replace(" and ", " of ", 1)
-    if re.fullmatch(r"[+-]?[0-9]{10,}", text):
+    if maximum is None and re.fullmatch(r"[+-]?[0-9]{10,}", text):
         raise node.fault(f"{name} has at most 9 digits")
     if not re.fullmatch(r"[+-]?[0-9]{1,9}", text):
         raise node.fault(f"{name} must be {expected}, not {shown(node)}")

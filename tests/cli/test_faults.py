@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from solver.cli import destination
+from solver.cli.executing import Workers
+from solver.executors import Processes
 from tests.helpers.small_problems import GOOD
 
 
@@ -34,7 +36,7 @@ def names(folder):
         (["good.yaml", "--colour"], "No such option"),
         (["good.yaml", "-o", "-", "-f", "json,md"], "one format"),
         (["good.yaml", "other.yaml", "-o", "-"], "one FILE"),
-        (["good.yaml", "good.yml", "-o", "out/"], "would both be written to"),
+        (["good.yaml", "good.yml", "-o", "out/"], "did you mean 'good.yaml'?"),
         (["good.yaml", "-o", "good.yaml"], "will not be overwritten"),
         (["check", "good.yaml", "answers.yaml"], "there is no such file"),
         (["tasks", "eigenstrcture"], "Did you mean 'eigenstructure'?"),
@@ -81,9 +83,9 @@ def test_a_hostile_file_is_refused_with_its_place(solve, tmp_path, content):
     assert names(tmp_path) == ["hostile.yaml"]
 
 
-def test_a_folder_is_refused(solve, tmp_path):
+def test_an_empty_folder_is_refused(solve, tmp_path):
     (tmp_path / "folder.yaml").mkdir()
-    assert "it is a folder" in solve("folder.yaml").err
+    assert "there is no problem file in this folder" in solve("folder.yaml").err
 
 
 def test_a_pipe_is_refused_and_does_not_block(solve, tmp_path):
@@ -168,6 +170,7 @@ def test_a_bug_in_one_file_does_not_stop_the_rest(solve, good, tmp_path, monkeyp
         return original(document, **options)
 
     monkeypatch.setattr(page, "render_page", broken_for_one)
+    monkeypatch.setattr(Workers, "executor", lambda _: Processes(1, "fork"))  # which has what is replaced here
     assert solve("good.yaml", "second.yaml").code == 1
     assert (tmp_path / "second.html").is_file()
 

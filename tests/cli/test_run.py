@@ -126,7 +126,7 @@ def test_one_bad_file_does_not_stop_the_rest_and_the_worst_code_is_returned(solv
     (tmp_path / "second.yaml").write_text(GOOD.replace("small", "second"), encoding="utf-8")
     done = solve("good.yaml", "bad.yaml", "missing.yaml", "second.yaml", "-o", "out/")
     assert done.code == 2
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"good.html", "second.html"}
+    assert {path.name for path in (tmp_path / "out").glob("[!.]*")} == {"good.html", "second.html"}
     assert "bad.yaml:5:" in done.err
     assert "missing.yaml: error: there is no such file" in done.err
 
@@ -134,7 +134,7 @@ def test_one_bad_file_does_not_stop_the_rest_and_the_worst_code_is_returned(solv
 def test_several_files_go_into_a_folder_even_if_it_has_no_slash(solve, good, tmp_path):
     (tmp_path / "second.yaml").write_text(GOOD, encoding="utf-8")
     assert solve("good.yaml", "second.yaml", "-o", "out").code == 0
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"good.html", "second.html"}
+    assert {path.name for path in (tmp_path / "out").glob("[!.]*")} == {"good.html", "second.html"}
 
 
 def test_a_problem_can_come_from_standard_input(process, tmp_path):

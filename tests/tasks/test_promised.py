@@ -147,7 +147,7 @@ def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
     }  # fmt: skip
     assert in_order - BY_STEPS == {
         "orders", "definiteness", "determinants", "costates", "diagonal", "invariant_factors", "relative_degrees",
-        "alpha", "corner_frequencies", "slopes", "coefficients",
+        "alpha", "corner_frequencies", "slopes", "coefficients", "values",
     }  # fmt: skip
     assert vectors == {
         "right_eigenvectors", "left_eigenvectors", "eigenvectors", "T", "null_space", "column_space", "row_space",

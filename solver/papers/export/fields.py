@@ -17,9 +17,10 @@ from solver.classroom.verdicts import Verdict
 from solver.papers.export.bench import Answer, Bench
 from solver.papers.export.decimals import exactly, tolerance_of, typed, value_of
 from solver.papers.export.quiz import Asked, Choice, Fixed, Number, Wrong
-from solver.papers.export.scalars import VARIABLES, Real
+from solver.papers.export.scalars import Real
 from solver.papers.export.shapes import Shape, shape_of, with_parts
 from solver.render.prose import plain
+from solver.symbols import COMPLEX
 from solver.words import Phrase
 
 MOST_WRONG = 4
@@ -222,7 +223,7 @@ def _why(value: Any) -> str:
     functions = any(each.atoms(AppliedUndef) for each in _leaves(value) if isinstance(each, sp.Basic))
     if symbols & {"t", "k"} or functions:
         return OF_TIME
-    if symbols - set(VARIABLES):
+    if symbols - COMPLEX:
         return LETTERS
     if symbols:
         return FORM

@@ -14,15 +14,13 @@ import sympy as sp
 
 from solver.papers.export.decimals import complex_parts, exactly
 from solver.papers.export.quiz import Field, Fixed
+from solver.symbols import COMPLEX
 
 Numbers = list[Fraction]
 Words = tuple[str, dict[str, str]]
 """A phrase and its values, which tell what one of several fields is."""
 
 Cells = tuple[Field | Fixed, ...]
-
-VARIABLES = ("s", "z", "lamda")
-"""What polynomials and transfer functions are in."""
 
 MOST_DEGREE = 12
 
@@ -188,7 +186,7 @@ def _variable(value: Any) -> str | None:
     if not isinstance(value, sp.Expr) or len(value.free_symbols) != 1:
         return None
     name = str(next(iter(value.free_symbols)))
-    return name if name in VARIABLES else None
+    return name if name in COMPLEX else None
 
 
 def polynomial(value: Any, variable: str) -> sp.Poly | None:
