@@ -51,7 +51,7 @@ def _integers(point: Mapping[Any, Any]) -> list[Any]:
 
 def meaning_of_points(checks: Sequence[Check], value: Any) -> Reason | None:
     """Return that each point listed is right by itself while others are missing; None otherwise."""
-    own = [check for check in checks if check.item]
+    judged = {check.item for check in checks if check.item}
     failed = [check for check in checks if check.status is CheckStatus.FAILED]
     if (
         value
