@@ -53,11 +53,6 @@ def meaning_of_points(checks: Sequence[Check], value: Any) -> Reason | None:
     """Return that each point listed is right by itself while others are missing; None otherwise."""
     judged = {check.item for check in checks if check.item}
     failed = [check for check in checks if check.status is CheckStatus.FAILED]
-    if (
-        value
-        and len({check.item for check in own}) == len(value)
-        and failed
-        and not any(check.item for check in failed)
-    ):
+    if value and len(judged) == len(value) and failed and not any(check.item for check in failed):
         return Reason("solutions/some_missing")
     return None
