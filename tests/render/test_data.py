@@ -72,7 +72,7 @@ def read_back(text, names):
 def same(read, value):
     """Whether two values agree, symbols by name and decimals to 12 digits."""
     if isinstance(value, dict):
-        read = {str(name): each for name, each in read.items()}
+        read = {str(name).replace(" ", ""): each for name, each in read.items()}
         return read.keys() == set(map(str, value)) and all(same(read[str(name)], each) for name, each in value.items())
     if isinstance(value, list | tuple):
         return len(read) == len(value) and all(map(same, read, value))
