@@ -130,8 +130,8 @@ def test_nothing_promised_is_left_out():
     assert set(PROMISED) <= set(catalogue())
 
 
-BY_STEPS = {"P", "K", "x", "u", "T"}
-"""Over a finite horizon in discrete time one value a step, of a compensator one a section, elsewhere a single one."""
+BY_STEPS = {"P", "K", "x", "u", "T", "values"}
+"""Over a finite horizon in discrete time one value a step, of a compensator one a section, of a sequence one a sample."""
 
 
 def answers_declared(fact):
@@ -147,7 +147,7 @@ def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
     }  # fmt: skip
     assert in_order - BY_STEPS == {
         "orders", "definiteness", "determinants", "costates", "diagonal", "invariant_factors", "relative_degrees",
-        "alpha", "corner_frequencies", "slopes", "coefficients", "values",
+        "alpha", "corner_frequencies", "slopes", "coefficients",
     }  # fmt: skip
     assert vectors == {
         "right_eigenvectors", "left_eigenvectors", "eigenvectors", "T", "null_space", "column_space", "row_space",
