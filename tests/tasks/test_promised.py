@@ -131,7 +131,7 @@ def test_nothing_promised_is_left_out():
 
 
 BY_STEPS = {"P", "K", "x", "u", "T", "values"}
-"""Over a finite horizon in discrete time one value a step, of a compensator one a section, of a sequence one a sample."""
+"""Over a finite horizon in discrete time one a step, of a compensator one a section, of a sequence one a sample."""
 
 
 def answers_declared(fact):
