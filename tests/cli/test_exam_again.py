@@ -151,7 +151,7 @@ def test_what_is_not_needed_any_more_is_taken_away(solve, tmp_path):
     assert len(after) == len(before)
     assert after != before
     record = json.loads((tmp_path / OUT / ".solve.json").read_text("utf-8"))
-    assert list(record["made"]) == ["paper 1", "paper 2"]
+    assert [name for name in record["made"] if name.startswith("paper")] == ["paper 1", "paper 2"]
 
 
 def test_templates_count(solve, tmp_path, solved):

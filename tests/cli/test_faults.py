@@ -36,7 +36,6 @@ def names(folder):
         (["good.yaml", "--colour"], "No such option"),
         (["good.yaml", "-o", "-", "-f", "json,md"], "one format"),
         (["good.yaml", "other.yaml", "-o", "-"], "one FILE"),
-        (["good.yaml", "good.yml", "-o", "out/"], "did you mean 'good.yaml'?"),
         (["good.yaml", "-o", "good.yaml"], "will not be overwritten"),
         (["check", "good.yaml", "answers.yaml"], "there is no such file"),
         (["tasks", "eigenstrcture"], "Did you mean 'eigenstructure'?"),
