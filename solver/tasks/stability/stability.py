@@ -75,13 +75,7 @@ stability: Task[StateSpace, StabilityOptions] = Task(
             earned=("spectrum", "solution", "minors", "array", "sign_changes"),
         ),
         AnswerName("bibo_stable", r"\text{BIBO stable}", "whether bounded inputs give bounded outputs", optional=True),
-        AnswerName(
-            "eigenvalues",
-            r"\lambda_i",
-            "the eigenvalues, each as often as its multiplicity",
-            optional=True,
-            numbered=True,
-        ),
+        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, with multiplicity", optional=True, numbered=True),
         AnswerName("P", "P", "the solution of Lyapunov's equation", ("lyapunov",), optional=True),
         AnswerName("array", r"\text{array}", "the Routh array, its shorter rows filled up with zeros", ("routh",)),
         AnswerName(
