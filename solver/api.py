@@ -18,8 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from solver.document.model import Document, Presentation
-from solver.document.works import document_of
-from solver.engine import solve_problem
+from solver.document.works import document_of, solve_as_told
 from solver.problem.data import source_of_data
 from solver.problem.files import load
 from solver.problem.reader import read_problem
@@ -50,8 +49,7 @@ def solve(
     folder = Path(templates) if templates else None
     presentation = Presentation(detail, folder, data=bool(limits), language=language, notation=notation)
     if not limits:
-        solved = solve_problem(read, messages=presentation.messages(read.display))
-        return document_of(solved, presentation, read.name)
+        return document_of(solve_as_told(read, presentation), presentation, read.name)
     from solver.limits import Limits, solve_within  # noqa: PLC0415 - most uses need no child process
 
     return solve_within(read, Limits(**limits), presentation).document(read.name)
@@ -82,7 +80,7 @@ def check(
     source = _answers(answers) if isinstance(answers, Mapping) else source_of(answers)
     submission = read_submission(source, read)
     if not limits:
-        solution = solve_problem(read, messages=told.messages(read.display))
+        solution = solve_as_told(read, told)
         marking = mark(solution, submission, folder)
         return Marked(marking, solution, lambda: document_of(solution, told, read.name), folder)
     solved = solve_within(read, Limits(**limits), told)

@@ -27,6 +27,7 @@ from solver.derivation import (
     Unsolved,
 )
 from solver.derivation.conversion import composed, converted, refused
+from solver.derivation.levels import carrying_out
 from solver.known import has_real_entries, named_alike, signed, symbols_of, wrong_conditions
 from solver.lazy import exact, noted_calls, numeric
 from solver.lazy import sympy as sp
@@ -51,6 +52,8 @@ class Solution:
 
     problem: Problem
     parts: tuple[PartResult, ...]
+    arithmetic: bool = True
+    """Whether the steps have the substeps of arithmetic that a page at the level `tutor` shows."""
 
     @property
     def status(self) -> Status:
@@ -58,23 +61,28 @@ class Solution:
         return Status.worst([part.status for part in self.parts])
 
 
-def solve_problem(problem: Problem, runner: Runner | None = None, messages: Messages | None = None) -> Solution:
+def solve_problem(
+    problem: Problem, runner: Runner | None = None, messages: Messages | None = None, *, arithmetic: bool = True
+) -> Solution:
     """Solve all parts, here or by a runner that keeps limits. An unsolved part says why and stops no other.
 
+    Without `arithmetic` the steps have no substeps for the level `tutor`.
     Raises InputError, with the places in the file and in the words of `messages` (None: those of the problem's
     language), where a task finds a question wrong as it is asked.
     """
-    results = runner(problem) if runner else solve_parts(problem, messages=messages)
-    return Solution(problem, tuple(result for of_part in results for result in of_part))
+    results = runner(problem) if runner else solve_parts(problem, messages, arithmetic=arithmetic)
+    return Solution(problem, tuple(result for of_part in results for result in of_part), arithmetic)
 
 
-def solve_parts(problem: Problem, messages: Messages | None = None) -> Iterator[list[PartResult]]:
+def solve_parts(
+    problem: Problem, messages: Messages | None = None, *, arithmetic: bool = True
+) -> Iterator[list[PartResult]]:
     """Solve the parts in order; they may use the answers of earlier ones."""
     said = messages or Messages(language=problem.display.language)
     refuse(problem, {part.id: refusals_of(part, said) for part in problem.parts})
     known: dict[str, PartResult] = {}
     for part in problem.parts:
-        results = solve_part(part, known)
+        results = solve_part(part, known, arithmetic=arithmetic)
         known[part.id] = results[0]
         yield results
 
@@ -91,9 +99,10 @@ def refusals_of(part: Part, messages: Messages) -> list[Refusal]:
     return [(option, messages.reason(fault)) for option, fault in faults]
 
 
-def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:
+def solve_part(part: Part, earlier: Earlier, *, arithmetic: bool = True) -> list[PartResult]:
     """Solve one part by each of its methods."""
-    return [_solve_by(method, part, earlier) for method in part.methods]
+    with carrying_out(arithmetic):
+        return [_solve_by(method, part, earlier) for method in part.methods]
 
 
 def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
@@ -106,7 +115,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     checks: tuple[Check, ...] = ()
     try:
         with noted_calls(steps) as calls:
-            given, answers = found_by(method, part, earlier, steps)
+            given, answers = _found_by(method, part, earlier, steps)
         checks = (*numeric.check_steps(steps), *check_calls(calls, steps), *task.verify(given, answers))
         status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
@@ -120,13 +129,17 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
 def found_by(
     method: str, part: Part, earlier: Earlier, steps: list[Step] | None = None
 ) -> tuple[Given[Any, Any], Answers]:
-    """Return what a method works on and what it finds, unchecked; its steps are appended to `steps`.
+    """Return what a method works on and what it finds, unchecked.
 
-    Raises Unsolved, NotExact.
+    Its steps are appended to `steps`, without arithmetic. Raises Unsolved, NotExact.
     """
-    done: list[Step] = [] if steps is None else steps
-    given = given_of(part, method, earlier, done)
-    answers = yield_into(done, catalogue()[part.task].methods[method].derive(given))
+    with carrying_out(False):
+        return _found_by(method, part, earlier, [] if steps is None else steps)
+
+
+def _found_by(method: str, part: Part, earlier: Earlier, steps: list[Step]) -> tuple[Given[Any, Any], Answers]:
+    given = given_of(part, method, earlier, steps)
+    answers = yield_into(steps, catalogue()[part.task].methods[method].derive(given))
     if _rests_on_decimals(part, earlier):
         answers = Answers(**{name: short_again(value) for name, value in answers.items()})
     return given, answers
@@ -156,9 +169,12 @@ def resolved(part: Part, earlier: Earlier) -> Part:
 
 
 def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
-    """Return the steps of a part by a method, those before a refusal where there is one; nothing is checked."""
+    """Return the steps of a part by a method, those before a refusal where there is one.
+
+    They have no arithmetic, and nothing is checked.
+    """
     steps: list[Step] = []
-    with suppress(Unsolved, exact.NotExact):
+    with carrying_out(False), suppress(Unsolved, exact.NotExact):
         given = given_of(part, method, earlier, steps)
         yield_into(steps, catalogue()[part.task].methods[method].derive(given))
     return steps

@@ -42,7 +42,9 @@ class SpecialCase:
     result: PartResult
 
 
-def special_cases(part: Part, result: PartResult, earlier: Earlier) -> tuple[list[SpecialCase], Reason | None]:
+def special_cases(
+    part: Part, result: PartResult, earlier: Earlier, *, arithmetic: bool
+) -> tuple[list[SpecialCase], Reason | None]:
     """Return the special cases of a part, solved by the same method; none where there are too many to follow.
 
     And the reason why they are not to be told, where what was found of them fails a check.
@@ -57,7 +59,11 @@ def special_cases(part: Part, result: PartResult, earlier: Earlier) -> tuple[lis
     if failed:
         return [], verdict(failed, ())[1]
     zeros = {(x, value): f for f, x, value in found if _is_asked_at(asked, x, value)}
-    cases = (_solved(asked, result, f, *each) for each, f in zeros.items()) if len(zeros) <= MOST else ()
+    cases = (
+        (_solved(asked, result, f, *each, arithmetic=arithmetic) for each, f in zeros.items())
+        if len(zeros) <= MOST
+        else ()
+    )
     return [case for case in cases if not _is_refused(case) and not _is_the_same(case, result)], None
 
 
@@ -108,12 +114,12 @@ def _exceptions(result: PartResult) -> Iterator[Any]:
                     yield exception
 
 
-def _solved(part: Part, result: PartResult, f: Any, parameter: Any, value: Any) -> SpecialCase:
+def _solved(part: Part, result: PartResult, f: Any, parameter: Any, value: Any, *, arithmetic: bool) -> SpecialCase:
     """The question with the value put in, solved; that f is zero there is one of its checks."""
     there = {parameter: value}
     options = {name: _at(option, there) for name, option in part.options.items()}
     case = replace(part, system=_at(part.system, there), options=options, methods=(result.method,))
-    found = solve_part(case, {})[0]
+    found = solve_part(case, {}, arithmetic=arithmetic)[0]
     special = numeric.check_claim(Claim(value_at(f, parameter, value), sp.S.Zero), "the value is special")
     found = replace(found, checks=(*found.checks, special))
     if special.status is CheckStatus.FAILED:

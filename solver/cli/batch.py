@@ -123,12 +123,11 @@ def _units_of(file: File) -> int:
 
 def solve_whole(file: File) -> Outcome:
     """Solve a file in this process. A bug is raised: it is told of the part that has it, by `solve_by_parts`."""
-    from solver.document.works import document_of
-    from solver.engine import solve_problem
+    from solver.document.works import document_of, solve_as_told
 
     def make() -> Outcome:
         problem, asked = file.problem, file.asked
-        solution = solve_problem(problem, messages=asked.presentation.messages(problem.display))
+        solution = solve_as_told(problem, asked.presentation)
         return outcome_of(document_of(solution, asked.presentation, asked.name), asked)
 
     return guarded(file.asked.file, make, bugs=False)

@@ -53,6 +53,11 @@ class Presentation:
         return replace(problem, display=display)
 
     @property
+    def arithmetic(self) -> bool:
+        """Whether the arithmetic of a derivation is told."""
+        return self.detail == "tutor"
+
+    @property
     def is_paper(self) -> bool:
         """Whether only the question is told."""
         return self.detail == "question"

@@ -18,7 +18,7 @@ from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of, title_of
 from solver.document.values import as_written, functions_of, numbers_of, symbols_of, texts_of, values_of
-from solver.engine import Earlier, Solution, resolved
+from solver.engine import Earlier, Solution, resolved, solve_problem
 from solver.problem.asked import asked_of, marks_shown
 from solver.problem.model import Display, Part, Problem
 from solver.render.numbers import NumberFormat
@@ -30,13 +30,23 @@ from solver.tasks import catalogue
 from solver.words import Phrase, Reason
 
 
+def solve_as_told(problem: Problem, told: Presentation) -> Solution:
+    """Solve a problem as far as it is to be told. Raises InputError, in the words of the presentation."""
+    return solve_problem(problem, messages=told.messages(problem.display), arithmetic=told.arithmetic)
+
+
 def document_of(solution: Solution, presentation: Presentation | None = None, name: str = "") -> Document:
     """Return a solution in words. A part that cannot be worded is unsolved, and says why."""
     writer = Writer(solution.problem, presentation or Presentation())
     results = {result.id: result for result in reversed(solution.parts)}
     works = [writer.work(result, results) for result in solution.parts]
     document = writer.document(works, name, lambda: {name: result.answers for name, result in results.items()})
-    return replace(document, retell=lambda told: document_of(solution, told, name))
+
+    def told_otherwise(told: Presentation) -> Document:
+        enough = solution.arithmetic or not told.arithmetic
+        return document_of(solution if enough else solve_as_told(solution.problem, told), told, name)
+
+    return replace(document, retell=told_otherwise)
 
 
 LEVELS = {"question": "brief", "key": "brief"}
@@ -142,7 +152,7 @@ class Writer:
         """Return the work with the special values of parameters for which the question is to be solved anew."""
         if self.presentation.detail not in {"full", "tutor"} or work.again:
             return work
-        cases, fault = special_cases(part, result, earlier)
+        cases, fault = special_cases(part, result, earlier, arithmetic=self.presentation.arithmetic)
         if not cases and fault is None:
             return work
         wording = self._wording(self._display(part, {part.id: result}))
@@ -278,4 +288,4 @@ def _holds_decimals(value: Any) -> bool:
     return bool(getattr(value, "atoms", lambda _: ())(sp.Float))
 
 
-__all__ = ["Writer", "document_of", "lost"]
+__all__ = ["Writer", "document_of", "lost", "solve_as_told"]

@@ -263,7 +263,9 @@ class _Worker:
         from solver.engine import solve_part  # noqa: PLC0415 - as above
         from solver.limits.results import sent  # noqa: PLC0415 - as above
 
-        result = solve_part(replace(unit.part, methods=(unit.method,)), self.known)[0]
+        arithmetic = self.writer is not None and self.writer.presentation.arithmetic
+        asked = replace(unit.part, methods=(unit.method,))
+        result = solve_part(asked, self.known, arithmetic=arithmetic)[0]
         self.known.setdefault(result.id, result)
         work: Work | None = None
         if self.writer is not None:

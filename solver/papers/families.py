@@ -11,8 +11,7 @@ from typing import Any, Protocol
 from solver.derivation import Status
 from solver.document.formats import FORMATS
 from solver.document.model import Presentation
-from solver.document.works import document_of
-from solver.engine import solve_problem
+from solver.document.works import document_of, solve_as_told
 from solver.executors import Arguments, Executor
 from solver.limits import Exceeded, Limits
 from solver.papers.difficulty import Difficulty, difficulty_of
@@ -140,7 +139,7 @@ def made(text: str, source: str, wanted: Wanted) -> Made:
     from solver.tasks import catalogue  # noqa: PLC0415 - as above
 
     problem = wanted.presentation.of(read_problem(Source(source, text), catalogue()))
-    solution = solve_problem(problem, messages=wanted.presentation.messages(problem.display))
+    solution = solve_as_told(problem, wanted.presentation)
     document = document_of(solution, wanted.presentation, PurePath(source).name)
     judged = document if document.presentation.detail in {"full", "tutor"} else document.told(detail="full")
     if judged.status is not Status.VERIFIED:

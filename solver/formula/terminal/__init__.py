@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from solver.formula.reader import MathProblem
 from solver.formula.reading import read
 from solver.formula.terminal.boxes import Box, text_box
@@ -10,7 +12,12 @@ from solver.formula.terminal.drawing import box
 
 def drawn(latex: str) -> list[str]:
     """Return the lines of a formula drawn in two dimensions; the source where it is not of our dialect."""
-    return [line.rstrip() for line in _box(latex, display=True).lines]
+    return list(_drawn(latex))
+
+
+@lru_cache(maxsize=64)  # before they are printed it is asked whether they fit
+def _drawn(latex: str) -> tuple[str, ...]:
+    return tuple(line.rstrip() for line in _box(latex, display=True).lines)
 
 
 def flat(latex: str) -> str:

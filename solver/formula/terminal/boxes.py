@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from unicodedata import category, east_asian_width
 
 TALL = {
@@ -15,8 +16,11 @@ TALL = {
 BRACES = {"{": "⎧⎪⎨⎩", "}": "⎫⎪⎬⎭"}
 
 
+@lru_cache(maxsize=4096)  # every box asks for it, and pieces of formulas come again and again
 def cells(text: str) -> int:
     """Return the number of cells of a terminal that a text takes."""
+    if text.isascii():
+        return len(text)
     return sum(0 if category(c) in {"Mn", "Me"} else 2 if east_asian_width(c) in "WF" else 1 for c in text)
 
 
@@ -63,8 +67,8 @@ def stacked(boxes: Sequence[Box], baseline: int, align: str = "c") -> Box:
 
 def beside(boxes: Sequence[Box]) -> Box:
     """Put boxes side by side, baselines level."""
-    if not boxes:
-        return text_box("")
+    if len(boxes) < 2:
+        return boxes[0] if boxes else text_box("")
     above = max(box.baseline for box in boxes)
     below = max(box.height - box.baseline for box in boxes)
     columns = []

@@ -10,8 +10,8 @@ from solver.classroom import Marking, mark_each
 from solver.classroom.syntax import Readings, readings
 from solver.document.exam import as_question
 from solver.document.model import Document, Presentation
-from solver.document.works import document_of
-from solver.engine import Solution, solve_problem
+from solver.document.works import document_of, solve_as_told
+from solver.engine import Solution
 from solver.executors import Executor
 from solver.limits import Exceeded, Limits
 from solver.papers.exam.drawing import Means, in_turn, search_of
@@ -117,7 +117,7 @@ def worked_of(solutions: Solutions, presentation: Presentation, limits: Limits, 
 def _worked(solution: Solution, presentation: Presentation, number: int) -> Document:
     """Return the worked solution of a question, solved anew for its steps, without what is asked."""
     problem = solution.problem
-    solved = solve_problem(problem, messages=presentation.messages(problem.display))
+    solved = solve_as_told(problem, presentation)
     told = as_question(document_of(solved, presentation), number)
     parts = tuple(replace(part, question="", given="") for part in told.parts)
     return replace(told, statement="", given="", parts=parts)

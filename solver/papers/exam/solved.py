@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from solver.document.model import Presentation
-from solver.engine import Solution, solve_problem
+from solver.document.works import solve_as_told
+from solver.engine import Solution
 from solver.executors import Executor
 from solver.limits import Exceeded, Limits, Solved, solve_within
 from solver.limits.child import Reply, Unit
@@ -52,7 +53,7 @@ def _solution(problem: Problem, found: Replies | Refused | Exceeded) -> Solution
 def _whole(problem: Problem) -> Replies | Refused:
     """Solve a problem in this process. A bug is raised: it is told of the part that has it, by `_by_parts`."""
     try:
-        solution = solve_problem(problem, messages=Presentation().messages(problem.display))
+        solution = solve_as_told(problem, Presentation())
     except InputError as error:
         return Refused(error.source, tuple(error.diagnostics))
     return [(unit, Reply(sent=sent(part))) for unit, part in zip(_units(problem), solution.parts, strict=True)]

@@ -10,8 +10,7 @@ from solver.classroom.blank import blank_parts
 from solver.derivation import Status
 from solver.document.exam import as_question
 from solver.document.model import Document
-from solver.document.works import document_of
-from solver.engine import solve_problem
+from solver.document.works import document_of, solve_as_told
 from solver.papers.exam.scaling import scaled
 from solver.papers.families import Made, Wanted
 from solver.problem.reader import read_problem
@@ -43,7 +42,7 @@ def question_made(text: str, source: str, asked: Asked) -> QuestionMade:
     """Solve, verify and tell a question, in this process."""
     told = asked.presentation
     problem = told.of(scaled(read_problem(Source(source, text), catalogue()), asked.marks))
-    solution = solve_problem(problem, messages=told.messages(problem.display))
+    solution = solve_as_told(problem, told)
     name = PurePath(source).name
     key = document_of(solution, told, name)
     judged = key if told.detail in {"full", "tutor"} else document_of(solution, replace(told, detail="full"), name)

@@ -13,8 +13,7 @@ from pathlib import PurePath
 
 from solver.derivation import Status
 from solver.document.model import Document, WorkAnswer
-from solver.document.works import document_of
-from solver.engine import solve_problem
+from solver.document.works import document_of, solve_as_told
 from solver.papers.exam.scaling import scaled
 from solver.papers.exam.telling import Asked as Wanted
 from solver.papers.export.bench import Bench
@@ -59,7 +58,7 @@ def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
     """Solve, verify and tell a question, in this process. Identifiers and names are still those of its parts."""
     told = asked.presentation
     problem = told.of(scaled(read_problem(Source(source, text), catalogue()), asked.marks))
-    solution = solve_problem(problem, messages=told.messages(problem.display))
+    solution = solve_as_told(problem, told)
     name = PurePath(source).name
     worked = document_of(solution, told, name)
     unsolved = {work.id: work for work in reversed(worked.parts) if work.status is not Status.VERIFIED}

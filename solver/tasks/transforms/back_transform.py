@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import at_full
 from solver.arithmetic.fractions import expanded
 from solver.arithmetic.transformed import term_by_term
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -139,9 +140,8 @@ def partial_fractions_of(image: exact.RationalMatrix, whole: Expr, names: Names)
 def coefficients_of(image: exact.RationalMatrix, whole: Expr, names: Names) -> Derivation[None]:
     """Poles covered up, derivatives for repeated ones, numerators over quadratics compared or divided."""
     s, otherwise = names.s, exact.is_found_otherwise(image, names.s)
-    for step in expanded(image, s):
+    for step in at_full(expanded, image, s):
         if otherwise or step.kind != "put_together":
-            step.detail = "full"
             yield step
     if otherwise:
         return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.exactness import at_full
 from solver.arithmetic.integrals import integrated
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
@@ -56,9 +57,7 @@ def _convolved(left: Expr, right: Expr, value: Expr, place: tuple[int, int], nam
     if here * mirrored != integrand:
         claims["integrand"] = Claim(product(here, mirrored), integrand, "what is integrated")
     column, wanted = sp.ImmutableMatrix([integrand]), sp.ImmutableMatrix([value])
-    steps = integrated(column, tau, sp.S.Zero, t, wanted)
-    for step in steps:
-        step.detail = "full"
+    steps = at_full(integrated, column, tau, sp.S.Zero, t, wanted)
     number, count = place
     return Step("convolution", claims=claims, steps=steps, number=number, last=number == count, tau=tau,
                 **names.told)  # fmt: skip
