@@ -226,7 +226,7 @@ def test_what_is_done_meanwhile_is_done_once():
 
 def test_results_through_a_child_are_those_without_one(read_example):
     problem = read_example("two-methods")
-    plain, through = solve_problem(problem), solve_problem(problem, in_child())
+    plain, through = solve_problem(problem, arithmetic=False), solve_problem(problem, in_child())
     assert [(part.id, part.method, part.status, part.answers) for part in plain.parts] == [
         (part.id, part.method, part.status, part.answers) for part in through.parts
     ]
