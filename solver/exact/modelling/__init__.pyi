@@ -3,7 +3,7 @@
 from solver.exact.modelling.branches import Move, Roots
 from solver.exact.modelling.circuits import CircuitModel, Law, circuit_model, degenerate
 from solver.exact.modelling.collecting import collected, grouped
-from solver.exact.modelling.derivatives import is_nonlinear
+from solver.exact.modelling.derivatives import is_nonlinear, partial
 from solver.exact.modelling.highest import are_linear_in, coefficients_of, solved_linearly
 from solver.exact.modelling.linearized import NotDifferentiable, Partial, Quotient, condition_of, partials_at, put_in
 from solver.exact.modelling.manipulator import Manipulator, christoffel, manipulator_form
@@ -39,6 +39,7 @@ __all__ = [
     "manipulator_form",
     "nodal_model",
     "normal",
+    "partial",
     "partials_at",
     "put_in",
     "real_solutions",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -33,12 +34,12 @@ class Quotient:
     denominator: sp.Expr
     at: Values = field(repr=False)
 
-    @property
+    @cached_property
     def above(self) -> sp.Expr:
         """The numerator at the point."""
         return put_in(self.numerator, self.at)
 
-    @property
+    @cached_property
     def below(self) -> sp.Expr:
         """The denominator at the point."""
         return put_in(self.denominator, self.at)

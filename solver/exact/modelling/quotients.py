@@ -6,8 +6,10 @@ functions that are equal may still look different (sin(a + b) beside sin a); non
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -60,7 +62,12 @@ class Quotients:
         if self.vanishes(above):
             return self.R.zero, self.R.one
         above, below = self.shortest(above), self.shortest(below)
-        above, below = _over_a_number(above, below) if below.is_ground else above.cancel(below)
+        if below.is_ground:
+            above, below = _over_a_number(above, below)
+        elif _share_a_monomial(above, below):
+            above, below = _over_a_monomial(above, below)
+        else:
+            above, below = above.cancel(below)
         if below.LC < 0:
             above, below = -above, -below
         return above, below
@@ -92,8 +99,12 @@ class Quotients:
     def expression(self, above: Polynomial, below: Polynomial) -> sp.Expr:
         """The quotient as an expression: of both parts what all terms have in common, times the rest multiplied out."""
         content, n = self._common(above)
+        found: sp.Expr
+        if below == self.R.one:
+            found = content * n
+            return found
         divisor, d = self._common(below)
-        found: sp.Expr = content / divisor * n / d
+        found = content / divisor * n / d
         return found
 
     def _common(self, p: Polynomial) -> tuple[sp.Expr, sp.Expr]:
@@ -103,9 +114,8 @@ class Quotients:
         number, primitive = p.primitive()
         if all(c < 0 for c in primitive.coeffs()):
             number, primitive = -number, -primitive
-        lowest = [min(powers) for powers in zip(*p.monoms(), strict=True)]
-        monomial = self.R({tuple(lowest): self.R.domain.one})
-        rest = primitive.exquo(monomial)
+        lowest, rest = _over_the_lowest(primitive)
+        monomial = self.R({lowest: self.R.domain.one})
         return sp.Rational(number) * monomial.as_expr(*self.variables), rest.as_expr(*self.variables)
 
 
@@ -113,6 +123,39 @@ def _over_a_number(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Po
     """The quotient of a polynomial and a number, with whole coefficients and no common factor, as `cancel` has it."""
     number, whole = above.mul_ground(1 / below.LC).clear_denoms()
     return whole, above.ring(number)
+
+
+def _share_a_monomial(p: Polynomial, q: Polynomial) -> bool:
+    """Whether it is seen that p and q have no common factor but a monomial.
+
+    Such a factor holds no variable that only one of them holds, so it divides the coefficients that this one has as a
+    polynomial in these variables: where one of the coefficients is a single term, the factor is one too.
+    """
+    inside = [[any(powers) for powers in zip(*each, strict=True)] for each in (p, q)]
+    for each, mine, others in ((p, *inside), (q, *reversed(inside))):
+        alone = [i for i, (a, b) in enumerate(zip(mine, others, strict=True)) if a and not b]
+        terms = Counter(tuple(monomial[i] for i in alone) for monomial in each)
+        if 1 in terms.values():
+            return True
+    return False
+
+
+def _over_a_monomial(p: Polynomial, q: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """The quotient of polynomials that share a monomial only, with whole coefficients, as `cancel` has it."""
+    (number, p), (divisor, q) = p.primitive(), q.primitive()
+    (above, p), (below, q) = _over_the_lowest(p), _over_the_lowest(q)
+    R, number = p.ring, number / divisor
+    for_p = tuple(max(a - b, 0) for a, b in zip(above, below, strict=True))
+    for_q = tuple(max(b - a, 0) for a, b in zip(above, below, strict=True))
+    return p * R({for_p: R.domain.numer(number)}), q * R({for_q: R.domain.denom(number)})
+
+
+def _over_the_lowest(p: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
+    """The monomial that all terms have in common, by its powers, and the polynomial over it."""
+    lowest = tuple(min(powers) for powers in zip(*p, strict=True))
+    if not any(lowest):
+        return lowest, p
+    return lowest, p.new({tuple(a - b for a, b in zip(powers, lowest, strict=True)): c for powers, c in p.items()})
 
 
 def quotients_in(expressions: Iterable[sp.Expr]) -> Quotients:
@@ -123,10 +166,15 @@ def quotients_in(expressions: Iterable[sp.Expr]) -> Quotients:
     for angle in {f.args[0] for f in found if isinstance(f, sp.sin | sp.cos)}:
         found |= {sp.sin(angle), sp.cos(angle)}
     variables = tuple(sorted(found, key=sp.default_sort_key))
-    R, *_ = ring([sp.Dummy() for _ in variables] or [sp.Dummy()], sp.QQ)
     places = {variable: i for i, variable in enumerate(variables)}
     pairs = [(places[f], places[sp.cos(f.args[0])]) for f in variables if isinstance(f, sp.sin)]
-    return Quotients(variables, places, R, tuple(pairs))
+    return Quotients(variables, places, _ring_in(len(variables) or 1), tuple(pairs))
+
+
+@cache
+def _ring_in(n: int) -> Any:
+    """The ring QQ[n variables], whatever these are called: making one takes longer than most of what is done in it."""
+    return ring([sp.Dummy() for _ in range(n)], sp.QQ)[0]
 
 
 def _collect(e: Any, found: set[Any]) -> None:
@@ -143,13 +191,18 @@ def _collect(e: Any, found: set[Any]) -> None:
 
 def normal(expression: sp.Expr) -> sp.Expr:
     """Return the expression as one quotient in normal form."""
+    if expression.is_Atom:
+        return expression
     field = quotients_in([expression])
     return field.expression(*field.of(expression))
 
 
 def is_zero(expression: sp.Expr) -> bool:
     """Whether an expression is zero, sums of angles multiplied out."""
-    whole = sp.expand_trig(expression) if expression.has(sp.sin, sp.cos) else expression
+    if expression.is_Rational or expression.is_Symbol:
+        return bool(expression == 0)
+    angles: set[Any] = {f.args[0] for f in expression.atoms(sp.sin, sp.cos)}
+    whole = expression if all(angle.is_Symbol for angle in angles) else sp.expand_trig(expression)
     return quotients_in([whole]).is_zero(whole)
 
 

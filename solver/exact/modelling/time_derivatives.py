@@ -6,8 +6,10 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from solver.exact.modelling.derivatives import partial
+
 
 def time_derivative(expression: sp.Expr, following: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     """d/dt of an expression in functions of time: ∂e/∂q · q' summed; `following` has q' for each q."""
-    inside = [q for q in following if expression.has(q)]
-    return sp.Add(*(sp.diff(expression, q) * following[q] for q in inside))
+    symbols = expression.free_symbols
+    return sp.Add(*(partial(expression, q) * following[q] for q in following if q in symbols))

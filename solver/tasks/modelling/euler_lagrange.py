@@ -205,12 +205,13 @@ def _equation_of(energies: Energies, name: str) -> Derivation[EquationOfMotion]:
     system, moves = energies.system, following(energies.system)
     q, speed = jet_symbol((name, 0)), jet_symbol((name, 1))
     L = denoted("L", energies.L)
-    momentum = sp.diff(energies.T, speed)
+    momentum = exact.partial(energies.T, speed)
     rate = exact.time_derivative(momentum, moves)
-    by_place, restoring = sp.diff(energies.T, q), [sp.diff(term, q) for term in energies.potential]
-    friction = sp.S.Zero if system.dissipation is None else sp.diff(system.dissipation, speed)
+    by_place, restoring = exact.partial(energies.T, q), [exact.partial(term, q) for term in energies.potential]
+    friction = sp.S.Zero if system.dissipation is None else exact.partial(system.dissipation, speed)
     bound = [
-        jet_symbol((each, 0)) * sp.diff(c, q) for each, c in zip(system.multipliers, system.constraints, strict=True)
+        jet_symbol((each, 0)) * exact.partial(c, q)
+        for each, c in zip(system.multipliers, system.constraints, strict=True)
     ]
     dragging = _collected(system, friction)
     terms = (*_collected(system, rate - by_place), *dragging, *(_factored(t) for t in restoring if t != 0),

@@ -89,7 +89,7 @@ class Mechanics:
     def slopes_of(self, position: Sequence[Expr]) -> Iterator[tuple[Symbol, Vector]]:
         """Yield the functions of time that a position depends on, with its derivatives."""
         for q in self.moving:
-            slope = (sp.diff(position[0], q), sp.diff(position[1], q))
+            slope = (exact.partial(position[0], q), exact.partial(position[1], q))
             if slope != (0, 0):
                 yield q, slope
 
@@ -135,7 +135,7 @@ class Mechanics:
 
     def _constant(self, square: Expr) -> tuple[Expr, None] | None:
         """The root of a squared distance that does not change."""
-        if any(not exact.is_zero(sp.diff(square, q)) for q in self.moving if square.has(q)):
+        if any(not exact.is_zero(exact.partial(square, q)) for q in self.moving if square.has(q)):
             return None
         square = exact.normal(square)
         positive = {each: sp.Dummy(str(each), positive=True) for each in square.free_symbols}
@@ -147,7 +147,7 @@ class Mechanics:
         for q in self.moving:
             if q in self.angles or not square.has(q):
                 continue
-            length = exact.normal(sp.diff(square, q) / 2)
+            length = exact.normal(exact.partial(square, q) / 2)
             alone = length.diff(q) == 1 and set(self.moving) & length.free_symbols == {q}
             if alone and exact.is_zero(square - length**2):
                 return length, q
@@ -157,7 +157,7 @@ class Mechanics:
         """How a direction turns with each angle: by as much, or by as much backward."""
         found = {}
         for q in self.moving:
-            swept = d[0] * sp.diff(d[1], q) - d[1] * sp.diff(d[0], q)
+            swept = d[0] * exact.partial(d[1], q) - d[1] * exact.partial(d[0], q)
             if swept == 0 or exact.is_zero(swept):
                 continue
             sign = next((s for s in (1, -1) if exact.is_zero(swept - s * square)), None)
@@ -194,7 +194,7 @@ class Mechanics:
         raise Undrawn
 
     def _at_rest(self, expressions: Iterable[Expr]) -> bool:
-        return all(exact.is_zero(sp.diff(e, q)) for e in expressions for q in self.moving if e.has(q))
+        return all(exact.is_zero(exact.partial(e, q)) for e in expressions for q in self.moving if e.has(q))
 
 
 def _symbols(expressions: Iterable[Expr]) -> set[Any]:
