@@ -46,8 +46,8 @@ class Encirclements:
     """The turns N about −1, `clockwise`, with the P poles of L and the Z of the loop that are not in the stable region.
 
     `beyond` are the crossings of the real axis left of −1 at ω ≥ 0, `arcs` those of the poles on the axis, `closing`
-    what the way through ω = ∞ adds. `on_axis` counts the poles of the loop on the axis (not with a dead time),
-    `through` says that L is −1 somewhere.
+    what the way through ω = ∞ adds. `on_axis` counts the poles of the loop on the axis, with a dead time those that
+    cancel in L; `through` says that L is −1 somewhere.
     `real`: L is real on the whole axis, so that no crossing tells a turn.
     """
 
@@ -93,7 +93,9 @@ def encirclements(
     turns += sum(each.passes for each in arcs) + closing
     if L.late:
         through = any(each.magnitude == 1 for each in phases.found)
-        return Encirclements(turns, P.outside, P.outside + turns, 0, beyond, arcs, closing, through, real=False)
+        hidden = _counted(sp.gcd(sp.Poly(numerator, s), sp.Poly(denominator, s)).as_expr(), s)
+        on = hidden.on  # what cancels in L stays a pole of the loop
+        return Encirclements(turns, P.outside, P.outside + turns, on, beyond, arcs, closing, through, real=False)
     Z = _counted(numerator + denominator, s, discrete=discrete)
     through = _counted((L.N + L.D).as_expr(), s, discrete=discrete).on > 0
     if not phases.everywhere and not through and turns != Z.outside - P.outside:

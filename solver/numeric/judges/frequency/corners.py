@@ -10,6 +10,7 @@ import numpy as np
 
 from solver.numeric.judges.frequency.crossings import decimal
 from solver.numeric.judges.frequency.loops import WORKING, NumericLoop
+from solver.numeric.judges.frequency.roots import roots_of
 
 PER_POWER = 20
 SAME = 1e-12
@@ -27,7 +28,7 @@ def _roots(loop: NumericLoop) -> tuple[list[tuple[Any, int, bool]], int]:
             listed.pop()
             power += sign
         with mpmath.workdps(MANY):
-            roots = mpmath.polyroots(listed, maxsteps=2000, extraprec=4 * MANY, error=False) if len(listed) > 1 else []
+            roots = roots_of(listed)
             found += [(abs(z), sign, bool(abs(mpmath.im(z)) < REAL * abs(z))) for z in roots]
     return sorted(found), power
 

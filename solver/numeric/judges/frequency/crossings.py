@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.judges.frequency.loops import WORKING, NumericLoop
+from solver.numeric.judges.frequency.roots import top_between
 
 NEAR = mpmath.mpf(10) ** -18
 SAMPLES = ("0.37", "1.91", "5.3", "17.7")
@@ -148,12 +149,7 @@ def peak_of(loop: NumericLoop) -> Any:
     if i in (0, len(omega) - 1):
         return None
     with mpmath.workdps(WORKING):
-        a, b = mpmath.mpf(omega[i - 1]), mpmath.mpf(omega[i + 1])
-        step = mpmath.mpf(10) ** -12
-        for _ in range(90):
-            w = (a + b) / 2
-            rises = abs(loop.value(w * (1 + step))) > abs(loop.value(w * (1 - step)))
-            a, b = (w, b) if rises else (a, w)
+        a = top_between(omega, i, loop.value)
         top = abs(loop.value(a))
         ends = [abs(loop.at_rest), abs(loop.value(mpmath.mpf(omega[-1])))]
         return a if top > max(ends) * (1 + mpmath.mpf(10) ** -11) else None

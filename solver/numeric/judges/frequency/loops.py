@@ -11,6 +11,8 @@ import mpmath
 import numpy as np
 import sympy as sp
 
+from solver.numeric.judges.frequency.roots import roots_of
+
 WORKING = 40
 NEAR = mpmath.mpf(10) ** -12
 ROUGH = 1e-3
@@ -205,7 +207,7 @@ def _roots_outside(p: tuple[Any, ...], discrete: bool) -> tuple[int, int]:
     factors = sp.Poly([sp.Float(str(c), WORKING) if not isinstance(c, sp.Expr) else c for c in p], sp.Dummy("s"))
     with mpmath.workdps(3 * WORKING):
         listed = [mpmath.mpmathify(sp.N(c, 3 * WORKING)) for c in factors.all_coeffs()]
-        roots = mpmath.polyroots(listed, maxsteps=2000, extraprec=2000, error=False) if len(listed) > 1 else []
+        roots = roots_of(listed)
         away = [(abs(z) - 1 if discrete else mpmath.re(z)) / (1 + abs(z)) for z in roots]
         return sum(1 for each in away if each >= NEAR), sum(1 for each in away if abs(each) < NEAR)
 

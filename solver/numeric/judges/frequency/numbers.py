@@ -8,7 +8,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from solver.numeric.judges.frequency.loops import WORKING, NumericLoop, number_of, unstable_poles
+from solver.numeric.judges.frequency.loops import WORKING, NumericLoop, number_of, roots_outside, unstable_poles
 from solver.numeric.judges.frequency.sampled import sampled_loop
 
 
@@ -22,7 +22,12 @@ def numeric_loop(numerator: Any, denominator: Any, s: Any, delay: Any, sample_ti
 def closed_loop_poles(numerator: Any, denominator: Any, s: Any, delay: Any, sample_time: Any = None) -> tuple[int, int]:
     """How many poles of a closed loop lie to the right and on the axis (beside the circle), nothing cancelled in L."""
     with mpmath.workdps(WORKING):
-        return unstable_poles(_loop(numerator, denominator, s, delay, sample_time))
+        if delay == 0:
+            return unstable_poles(_loop(numerator, denominator, s, delay, sample_time))
+        hidden = sp.gcd(sp.Poly(numerator, s), sp.Poly(denominator, s))
+        seen = unstable_poles(numeric_loop(numerator, denominator, s, delay))
+        unseen = roots_outside(hidden.all_coeffs())
+        return seen[0] + unseen[0], seen[1] + unseen[1]
 
 
 def _loop(numerator: Any, denominator: Any, s: Any, delay: Any, sample_time: Any) -> NumericLoop:

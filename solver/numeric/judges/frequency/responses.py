@@ -13,6 +13,7 @@ import sympy as sp
 
 from solver.numeric.judges.frequency.crossings import decimal
 from solver.numeric.judges.frequency.loops import WORKING
+from solver.numeric.judges.frequency.roots import top_between
 
 POINTS = ("0.0173", "0.29", "0.83", "1.37", "2.9", "7.7", "31.3", "190.7")
 """Frequencies at which functions of ω are compared."""
@@ -184,15 +185,7 @@ class ClosedResponse:
                 value = self.value(last)
                 return last, abs(value), mpmath.degrees(mpmath.arg(value))
         with mpmath.workdps(WORKING):
-            a, b = mpmath.mpf(omega[i - 1]), mpmath.mpf(omega[i + 1])
-            step = mpmath.mpf(10) ** -12
-
-            def slope(w: Any) -> Any:
-                return abs(self.value(w * (1 + step))) - abs(self.value(w * (1 - step)))
-
-            for _ in range(90):
-                middle = (a + b) / 2
-                a, b = (middle, b) if slope(middle) > 0 else (a, middle)
+            a = top_between(omega, i, self.value)
             value = self.value(a)
             return a, abs(value), mpmath.degrees(mpmath.arg(value))
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from solver.numeric.judges.frequency.crossings import decimal, is_real
 from solver.numeric.judges.frequency.loops import NumericLoop, plus
+from solver.numeric.judges.frequency.roots import roots_of
 
 INSET = 1e-7
 """The path runs so far right of the axis, in parts of the largest root: that passes poles on it on their right."""
@@ -59,7 +60,7 @@ def _turns_on_circle(loop: NumericLoop) -> int | None:
     """The same while z runs round the unit circle, outside of it by half the distance of the nearest root there."""
     N, D = (np.array([float(c) for c in p]) for p in (loop.N, loop.D))
     with mpmath.workdps(MANY):
-        listed = [_roots(p) for p in (list(loop.D), plus(list(loop.N), list(loop.D)))]
+        listed = [roots_of(p) for p in (list(loop.D), plus(list(loop.N), list(loop.D)))]
         away = [float(abs(z) - 1) for z in (*listed[0], *listed[1]) if abs(z) - 1 > ON_CIRCLE]
     inset = min([OUTSIDE, *away]) / 2
     around = np.geomspace(inset / 10, 2 * np.pi, 3000)
@@ -71,10 +72,6 @@ def _turns_on_circle(loop: NumericLoop) -> int | None:
     if not np.all(np.isfinite(steps)) or np.max(np.abs(steps)) > STEP:
         return None
     return -round(float(np.sum(steps)) / (2 * np.pi))
-
-
-def _roots(p: list[Any]) -> list[Any]:
-    return mpmath.polyroots(p, maxsteps=2000, extraprec=4 * MANY, error=False) if len(p) > 1 else []
 
 
 def crossing_residual(loop: NumericLoop, found: Sequence[Any]) -> float:
