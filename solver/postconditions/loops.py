@@ -113,6 +113,32 @@ def of_long_run(
         yield Check.that("they are poles", "mpmath", all(_is_pole(E, s, root) for root in roots))
 
 
+def of_late_transform(found: Any, transfer: Any, image: Any, _s: Any, _delay: Any) -> Iterator[Claim]:
+    """It is the product."""
+    yield Claim(product(transfer, image), found)
+
+
+def of_late_quotient(found: Any, F: Any, _s: Any, _delay: Any) -> Iterator[Claim]:
+    """It is the same function."""
+    yield Claim(F, found)
+
+
+def of_late_long_run(found: Any, E: Any, s: Any, _delay: Any, _inside: Any = sp.S.One) -> Iterator[Claim | Check]:
+    """sᵏ E has the limit said, not zero, and what is left of the denominator has roots there."""
+    if found.order:
+        yield Claim(limit(product(power(s, found.order), E), s, sp.S.Zero, "+"), found.lead)
+        yield Claim(quotient(*found.quotient), found.lead)
+        yield Check.that("the limit is not zero", "compared", found.lead != 0)
+    else:
+        yield Claim(limit(product(s, E), s, sp.S.Zero, "+"), sp.S.Zero)
+    if found.value is not None and found.order < 2:
+        yield Claim(found.value, found.lead)
+    if found.others.has(s) and not found.others.free_symbols - {s}:
+        roots = sp.Poly(found.others, s).nroots(n=30)
+        left = all(sp.re(root) < 0 for root in roots)
+        yield Check.that("whether the other poles are inside", "mpmath", bool(found.settles) == left)
+
+
 def _is_pole(E: Any, s: Any, root: Any) -> bool:
     """Whether the denominator vanishes there."""
     below = sp.Poly(sp.fraction(sp.together(E))[1], s)

@@ -15,7 +15,7 @@ from solver.systems.functional import Functional
 from solver.systems.kind import Kind, System
 from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
-from solver.systems.loops import MatrixFeedback, OpenLoop, OutputFeedback, StateFeedback
+from solver.systems.loops import LateLoop, LatePath, MatrixFeedback, OpenLoop, OutputFeedback, StateFeedback
 from solver.systems.op_amp import OpAmp
 from solver.systems.polynomial import Polynomial
 from solver.systems.polynomial_matrix import PolynomialMatrix
@@ -44,6 +44,8 @@ __all__ = [
     "Kind",
     "Lagrangian",
     "LateInput",
+    "LateLoop",
+    "LatePath",
     "MatrixFeedback",
     "OpAmp",
     "OpenLoop",

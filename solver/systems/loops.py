@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.lazy import sympy as sp
 from solver.systems.surrounded import Surrounded
 
 if TYPE_CHECKING:
@@ -67,6 +68,26 @@ class MatrixFeedback(OutputFeedback):
 
 
 @dataclass(frozen=True)
+class LatePath(OutputFeedback):
+    """A plant with a dead time behind a controller, no loop round it: C G e^{−Ts}."""
+
+
+@dataclass(frozen=True)
+class LateLoop(OutputFeedback):
+    """A loop round a dead time, C G e^{−Ts}/(1 + C G H e^{−Ts}): no quotient of polynomials."""
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """There is a path from the reference to the output."""
+        return frozenset({"path"})
+
+    @property
+    def rational(self) -> OutputFeedback:
+        """The same loop without the dead time."""
+        return OutputFeedback(self.plant.rational, self.controller, self.feedback)
+
+
+@dataclass(frozen=True)
 class OpenLoop(Surrounded):
     """L = C G H of one input and one output, what a signal passes on its way round a loop; L = L₀ e^{−T s}.
 
@@ -95,6 +116,11 @@ class OpenLoop(Surrounded):
     def denominator(self) -> Expr:
         """The denominator of L₀, as a polynomial."""
         return self.rational.denominators[0][0]
+
+    @property
+    def factor(self) -> Expr:
+        """The factor e^{−Ts}, 1 without a dead time."""
+        return sp.exp(-self.delay * self.variable)
 
     @property
     def around(self) -> set[Symbol]:

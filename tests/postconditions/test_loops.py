@@ -15,6 +15,7 @@ s, t = sp.symbols("s t")
 G1, G2, H = sp.symbols("G1 G2 H", real=True)
 EDGES = (("r", "a", sp.S.One), ("a", "b", G1), ("b", "y", G2), ("b", "a", -H), ("y", "y", sp.Rational(1, 2)))
 E = (s + 1) / (s * (s + 6))
+LATE = sp.exp(-2 * s)
 
 
 def statuses(name, arguments, result):
@@ -29,6 +30,11 @@ RIGHT = [
     ("error_constants", (8 * (s + 1), s**2 * (s + 4), s)),
     ("long_run", (E, s, s + 6)),
     ("long_run", ((s + 1) / (s**2 * (s + 6)), s, s + 6)),
+    ("late_transform", (1 / (1 + LATE / (s + 1)), 1 / s, s, sp.Integer(2))),
+    ("late_quotient", (1 / (1 + LATE / (s + 1)), s, sp.Integer(2))),
+    ("late_long_run", (E / (1 + LATE), s, sp.Integer(2))),
+    ("late_long_run", ((1 - LATE) / s**2, s, sp.Integer(2))),
+    ("late_long_run", (E / ((1 + LATE) * (s**2 + 4)), s, sp.Integer(2))),
     ("held_where", ([G1, 2 - G1],)),
     ("held_where", ([sp.Integer(2), sp.Integer(3)],)),
     ("merged", ((*EDGES, ("r", "a", G1)),)),
@@ -48,6 +54,7 @@ def test_it_holds_of_the_right_result(name, arguments):
 
 CONSTANTS = exact.error_constants(8 * (s + 1), s**2 * (s + 4), s)
 RUN = exact.long_run(E, s, s + 6)
+LATE_RUN = exact.late_long_run((1 - LATE) / s**2, s, sp.Integer(2))
 FOUND = exact.mason(EDGES, "r", "y")
 GONE = exact.node_removed(EDGES, "a")
 WRONG = [
@@ -60,6 +67,12 @@ WRONG = [
     ("long_run", (E, s, s + 6), replace(RUN, lead=sp.S.One)),
     ("long_run", (E, s, s + 6), replace(RUN, value=sp.S.Zero)),
     ("long_run", (E, s, s + 6), replace(RUN, order=2)),
+    ("late_transform", (1 / (1 + LATE), 1 / s, s, sp.Integer(2)), 1 / (s * (1 - LATE))),
+    ("late_quotient", (1 / (1 + LATE), s, sp.Integer(2)), 1 / (1 - LATE)),
+    ("late_long_run", ((1 - LATE) / s**2, s, sp.Integer(2)), replace(LATE_RUN, lead=sp.S.One)),
+    ("late_long_run", ((1 - LATE) / s**2, s, sp.Integer(2)), replace(LATE_RUN, value=sp.S.Zero)),
+    ("late_long_run", ((1 - LATE) / s**2, s, sp.Integer(2)), replace(LATE_RUN, order=0)),
+    ("late_long_run", ((1 - LATE) / s**2, s, sp.Integer(2)), replace(LATE_RUN, others=s**2 + 4)),
     ("held_where", ([G1, 2 - G1],), G1 > 0),
     ("held_where", ([sp.Integer(2)],), sp.false),
     ("merged", (EDGES,), EDGES[:-1]),

@@ -25,6 +25,7 @@ from solver.exact.loops.flow_graphs import (
     node_signals,
     transfer_form,
 )
+from solver.exact.loops.late_errors import late_long_run, late_quotient, late_transform
 
 __all__ = [
     "ErrorConstants",
@@ -37,6 +38,9 @@ __all__ = [
     "held_where",
     "integrators_apart",
     "lasting",
+    "late_long_run",
+    "late_quotient",
+    "late_transform",
     "long_run",
     "longest_row",
     "mason",

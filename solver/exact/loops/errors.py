@@ -123,7 +123,7 @@ def long_run(
     order = _at_origin(bottom)
     lead = _quotient(top.nth(0), bottom.nth(order)) if order else sp.S.Zero
     integrators = sp.Poly((s - 1 if discrete else s) ** order, s)
-    others = _without(sp.quo(lowest[1], integrators), sp.Poly(inside, s))
+    others = besides(sp.quo(lowest[1], integrators), sp.Poly(inside, s))
     settles = is_stable_polynomial(others.all_coeffs(), discrete=discrete) if others.degree() > 0 else True
     value = None
     if settles:
@@ -155,7 +155,7 @@ def _at_origin(p: sp.Poly) -> int:
     return 0 if p.is_zero else min(powers[0] for powers in p.monoms())
 
 
-def _without(p: sp.Poly, inside: sp.Poly) -> sp.Poly:
+def besides(p: sp.Poly, inside: sp.Poly) -> sp.Poly:
     """A polynomial without the roots that another one has, whatever their multiplicities."""
     common = sp.gcd(p, inside)
     while common.degree() > 0:

@@ -56,6 +56,14 @@ def real_axis_of(L: exact.OnAxis) -> Derivation[exact.PhaseCrossovers]:
     return found
 
 
+@lemma("crossovers")
+def negative_axis_of(L: exact.OnAxis) -> Derivation[exact.PhaseCrossovers]:
+    """Where L(jω) is negative, and its values there."""
+    found = exact.phase_crossovers(L)
+    yield _late_crossovers(L, found) if L.late else _phase_crossovers(L, found)
+    return found
+
+
 def _even_odd(L: exact.OnAxis) -> dict[str, tuple[Expr, Expr]]:
     """Real and imaginary part of N(jω) and D(jω), in ω; discrete: of N and D at e^{jωT}."""
     omega, parts = sp.Symbol("omega"), L.parts
@@ -244,6 +252,7 @@ __all__ = [
     "approximation",
     "crossovers_of",
     "formula_of",
+    "negative_axis_of",
     "on_axis_of",
     "real_axis_of",
     "shown_polynomial",

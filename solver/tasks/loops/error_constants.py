@@ -9,6 +9,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, quotient
 from solver.stated.limits import Side, limit
+from solver.tasks.loops.late_loops import with_dead_time
 
 if TYPE_CHECKING:
     from solver.systems import OpenLoop
@@ -22,7 +23,7 @@ DISCRETE_LIMITS = ("the limit of $L$", "the limit of $(z - 1) L$", "the limit of
 
 def limit_stated(loop: OpenLoop, n: int, side: Side = "", *, inverse: bool = False) -> Any:
     """The limit of sⁿ L for s → 0, of (z − 1)ⁿ L for z → 1, as it is written; that of 1 over it."""
-    x, L = loop.variable, quotient(loop.numerator, loop.denominator)
+    x, L = loop.variable, with_dead_time(loop, quotient(loop.numerator, loop.denominator))
     zero, goal = (x - 1, sp.S.One) if loop.discrete else (x, sp.S.Zero)
     found = product(power(zero, n) if n > 1 else zero, L) if n else L
     return limit(quotient(1, found) if inverse else found, x, goal, side)

@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.limits import Side, limit
 from solver.stated.transforms import inverse_laplace, inverse_z
+from solver.tasks.loops.late_loops import image_of, long_run_of, rational_of, with_dead_time
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -61,28 +62,29 @@ def _images(signals: Sequence[tuple[str, Expr]], *, discrete: bool) -> Derivatio
 
 def _below(loop: OpenLoop) -> Any:
     """1 + L as it is written."""
-    return total(1, quotient(loop.numerator, loop.denominator))
+    return total(1, with_dead_time(loop, quotient(loop.numerator, loop.denominator)))
 
 
 def _of_reference(loop: OpenLoop, R: Expr, *, alone: bool) -> Derivation[Expr]:
     """With unity feedback (1 − T) R is R/(1 + L)."""
-    s, CG = loop.variable, loop.C * loop.G
+    s, CG = loop.variable, loop.C * loop.G * loop.factor
     if loop.closed and loop.H == 1:
-        N, D = loop.numerator, loop.denominator
-        E = exact.error_transform(D / (D + N), R)
+        N, D = loop.numerator * loop.factor, loop.denominator
+        E = image_of(loop, D / (D + N), R)
         left = product(quotient(1, _below(loop)), R)
-        step = product(quotient(D, sp.Poly(D + N, s).as_expr()), R)
+        step = product(quotient(D, sp.Poly(D + N, s).as_expr() if loop.delay == 0 else D + N), R)
         claims = {"stated": Claim(left, step, "transform of the error"), "E": Claim(step, E, "in lowest terms")}
         yield Step("unity", claims=claims, s=s, alone=alone)
         return E
     if loop.closed:
-        T = exact.rational(CG / (1 + CG * loop.H))
-        of_loop = Claim(quotient(exact.rational(CG), _below(loop)), T, "closed loop $T$")
+        T = rational_of(loop, CG / (1 + CG * loop.H))
+        of_loop = Claim(quotient(rational_of(loop, CG), _below(loop)), T, "closed loop $T$")
         yield Step("closed", claims={"T": of_loop}, s=s, direct=loop.C == 1)
     else:
-        T = exact.rational(CG)
-        yield Step("opened", claims={"T": Claim(product(loop.C, loop.G), T, "path $CG$")}, s=s, direct=loop.C == 1)
-    E = exact.error_transform(1 - T, R)
+        T = rational_of(loop, CG)
+        path = with_dead_time(loop, product(loop.C, loop.G))
+        yield Step("opened", claims={"T": Claim(path, T, "path $CG$")}, s=s, direct=loop.C == 1)
+    E = image_of(loop, 1 - T, R)
     claim = Claim(product(difference(1, T), R), E, "transform of the error")
     yield Step("reference", claims={"E": claim}, s=s, alone=alone)
     return E
@@ -90,10 +92,10 @@ def _of_reference(loop: OpenLoop, R: Expr, *, alone: bool) -> Derivation[Expr]:
 
 def _of_disturbance(loop: OpenLoop, R: Expr, *, alone: bool) -> Derivation[Expr]:
     """The disturbance adds −T_d D."""
-    s, G = loop.variable, exact.rational(loop.G)
-    T = exact.rational(G / (1 + loop.C * G * loop.H)) if loop.closed else G
+    s, G = loop.variable, rational_of(loop, loop.G * loop.factor)
+    T = rational_of(loop, G / (1 + loop.C * G * loop.H)) if loop.closed else G
     stated = quotient(G, _below(loop)) if loop.closed else G
-    E = exact.error_transform(-T, R)
+    E = image_of(loop, -T, R)
     claims = {
         "T": Claim(stated, T, "from the disturbance to the output"),
         "E": Claim(product(-1, T, R), E, "its part of the error"),
@@ -103,11 +105,11 @@ def _of_disturbance(loop: OpenLoop, R: Expr, *, alone: bool) -> Derivation[Expr]
 
 
 @lemma("error_transforms")
-def limit_of(shares: Sequence[Share], inside: Inside, *, discrete: bool) -> Derivation[Expr]:
+def limit_of(loop: OpenLoop, shares: Sequence[Share], inside: Inside) -> Derivation[Expr]:
     """The limit of s E(s), of (1 − z⁻¹) E(z); raises Unsolved where e has none, or where parameters decide."""
-    s = sp.Symbol("z" if discrete else "s")
+    s, discrete = loop.variable, loop.discrete
     factor, goal = (difference(1, power(s, -1)), sp.S.One) if discrete else (s, sp.S.Zero)
-    found = [exact.long_run(share.E, s, inside.polynomial, inside.positive, discrete=discrete) for share in shares]
+    found = [long_run_of(loop, share.E, inside) for share in shares]
     for share, each in zip(shares, found, strict=True):
         if not each.settles:
             values = {"name": share.name, "signal": share.signal, "others": each.others, "discrete": discrete}
@@ -116,7 +118,7 @@ def limit_of(shares: Sequence[Share], inside: Inside, *, discrete: bool) -> Deri
     whole = found[0]
     if any(each.order > 1 for each in found) and len(found) > 1:
         E = sp.Add(*(share.E for share in shares))
-        whole = exact.long_run(E, s, inside.polynomial, inside.positive, discrete=discrete)
+        whole = long_run_of(loop, E, inside)
     rows, claims = [], {}
     for share, each in zip(shares, found, strict=True):
         if each.order == 1 and each.lead != each.quotient[0]:

@@ -28,6 +28,7 @@ from solver.numeric.judges import loops as judges
 from solver.options.parameter_name import ParameterName
 from solver.stated.algebra import product, quotient, total
 from solver.stated.calculus import partial_derivative
+from solver.tasks.loops.late_loops import fraction_of, image_of, rational_of, with_dead_time
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
@@ -77,19 +78,19 @@ def by_definition(given: Given[OpenLoop, SensitivityOptions]) -> Derivation[Answ
     loop, s = given.system, given.system.variable
     p = _parameter(given)
     if p is None:
-        below = total(1, _with_delay(loop, quotient(loop.numerator, loop.denominator)))
-        S = exact.rational(1 / (1 + loop.numerator / loop.denominator * _factor(loop)))
+        below: Any = total(1, with_dead_time(loop, quotient(loop.numerator, loop.denominator)))
+        S = rational_of(loop, 1 / (1 + loop.numerator / loop.denominator * loop.factor))
         yield Step("of_loop", claims={"S": Claim(quotient(1, below), S, "sensitivity")}, s=s)
         return Answers(S=S)
-    T = exact.rational(_transfer(loop))
+    T = rational_of(loop, _transfer(loop))
     if T == 0:
         raise Unsolved("sensitivity/zero")
     yield Step("transfer", claims={"T": Claim(_stated_transfer(loop), T, "from the reference to the output")}, s=s,
                closed=loop.closed, unity=loop.H == 1, direct=loop.C == 1)  # fmt: skip
-    slope = exact.error_transform(sp.diff(T, p), sp.S.One)
+    slope = image_of(loop, sp.diff(T, p), sp.S.One)
     claim = Claim(partial_derivative(T, p), slope, "derivative by the parameter")
     yield Step("derivative", claims={"slope": claim}, s=s, p=p)
-    S, (above, below) = exact.rational(slope * p / T), sp.fraction(T)
+    S, (above, below) = rational_of(loop, slope * p / T), fraction_of(loop, T)
     claim = Claim(product(slope, quotient(product(p, below), above)), S, "sensitivity")
     yield Step("relative", claims={"S": claim}, s=s, p=p, none=S == 0)
     if loop.closed and not (loop.C * loop.H).has(p) and loop.G.has(p):
@@ -101,7 +102,7 @@ def _by_the_plant(loop: OpenLoop, p: Symbol, S: Expr) -> Step:
     """A check: that of the plant alone, times 1/(1 + L)."""
     G = exact.rational(loop.G)
     alone = exact.rational(sp.diff(G, p) * p / G)
-    below = total(1, _with_delay(loop, quotient(loop.numerator, loop.denominator)))
+    below = total(1, with_dead_time(loop, quotient(loop.numerator, loop.denominator)))
     claims = {
         "plant": Claim(product(partial_derivative(G, p), quotient(p, G)), alone, "sensitivity of the plant"),
         "loop": Claim(product(alone, quotient(1, below)), S, "through the loop"),
@@ -115,24 +116,15 @@ def _parameter(given: Given[OpenLoop, SensitivityOptions]) -> Any:
     return next((symbol for symbol in given.system.parameters if str(symbol) == name), None) if name else None
 
 
-def _factor(loop: OpenLoop) -> Expr:
-    """The factor e^{−Ts} of the loop, 1 without a dead time."""
-    return sp.exp(-loop.delay * loop.variable)
-
-
-def _with_delay(loop: OpenLoop, L: Any) -> Any:
-    return product(L, _factor(loop)) if loop.delay != 0 else L
-
-
 def _transfer(loop: OpenLoop) -> Expr:
     """T = CG/(1 + CGH), without feedback CG."""
-    path = loop.C * loop.G * _factor(loop)
+    path = loop.C * loop.G * loop.factor
     return path / (1 + path * loop.H) if loop.closed else path
 
 
 def _stated_transfer(loop: OpenLoop) -> Any:
     """T as it is written."""
-    path = _with_delay(loop, product(loop.C, loop.G) if loop.C != 1 else loop.G)
+    path = with_dead_time(loop, product(loop.C, loop.G) if loop.C != 1 else loop.G)
     if not loop.closed:
         return path
     return quotient(path, total(1, product(path, loop.H) if loop.H != 1 else path))
@@ -142,7 +134,7 @@ def _stated_transfer(loop: OpenLoop) -> Any:
 def is_the_relative_change(given: Given[OpenLoop, SensitivityOptions], answers: Answers) -> Iterable[Check]:
     """The loop in numbers; of a parameter by differences of T in many digits."""
     loop, p = given.system, _parameter(given)
-    factors = (loop.C, loop.G * _factor(loop), loop.H)
+    factors = (loop.C, loop.G * loop.factor, loop.H)
     if p is None:
         check = partial(judges.loop_sensitivity_residual, factors, answers["S"])
         yield numeric.check_residual("$S\\,(1 + L) = 1$", "mpmath (50 digits)", check, answer="S")

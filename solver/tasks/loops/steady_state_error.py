@@ -29,7 +29,8 @@ from solver.tasks.loops import error_mistakes
 from solver.tasks.loops.error_constants import CONSTANTS, DISCRETE_LIMITS, LIMITS, constants_of, limit_stated
 from solver.tasks.loops.error_signals import Acting, acting_on, needs_the_sample_time
 from solver.tasks.loops.error_transforms import limit_of, shares_of
-from solver.tasks.loops.loop_stability import stable_loop
+from solver.tasks.loops.late_loops import image_of, long_run_of, stable_late_loop
+from solver.tasks.loops.loop_stability import Inside, stable_loop
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Phrase
 
@@ -107,10 +108,10 @@ steady_state_error.refusal(needs_the_sample_time)
 )
 def by_final_value(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
     """The limit of s E(s), where all poles of s E(s) are inside; in discrete time that of (1 − z⁻¹) E(z)."""
-    loop, acting = _without_dead_time(given), acting_on(given)
-    inside = yield from stable_loop(loop)
+    loop, acting = given.system, acting_on(given)
+    inside = yield from _stable(loop)
     shares = yield from shares_of(loop, acting.r, acting.d)
-    e: Expr = (yield from limit_of(shares, inside, discrete=loop.discrete)) if shares else sp.S.Zero
+    e: Expr = (yield from limit_of(loop, shares, inside)) if shares else sp.S.Zero
     constants = yield from constants_of(loop, inside)
     return Answers(error=e, **constants)
 
@@ -122,7 +123,7 @@ def by_final_value(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
 )
 def by_constants(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
     """1/(1 + K_p), 1/K_v, 1/K_a for each step, ramp and parabola in the reference; of stable loops with H = 1."""
-    loop, acting = _without_dead_time(given), acting_on(given)
+    loop, acting = given.system, acting_on(given)
     r, t, discrete = acting.r, acting.time, loop.discrete
     powers = acting.parts
     missing = (
@@ -135,12 +136,12 @@ def by_constants(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
     )  # fmt: skip
     if missing:
         raise Unsolved("steady_state_error/no_constants", missing=missing, r=r)
-    inside = yield from stable_loop(loop)
+    inside = yield from _stable(loop)
     constants = yield from constants_of(loop, inside)
-    N, D, x = loop.numerator, loop.denominator, loop.variable
+    N, D, x = loop.numerator * loop.factor, loop.denominator, loop.variable
     image = exact.transform_of(r, t, x, discrete=discrete) if r != 0 else sp.S.Zero
-    E = exact.error_transform(D / (D + N), image) if r != 0 else sp.S.Zero
-    found = exact.long_run(E, x, inside.polynomial, inside.positive, discrete=discrete)
+    E = image_of(loop, D / (D + N), image) if r != 0 else sp.S.Zero
+    found = long_run_of(loop, E, inside)
     if found.value is None:
         raise Unsolved("steady_state_error/sign", lead=found.lead, order=found.order)
     yield _told_by_constants(acting, constants, found.value)
@@ -163,11 +164,9 @@ def _told_by_constants(acting: Acting, constants: Mapping[str, Any], e: Expr) ->
                 rows=rows, e=e, r=acting.r)  # fmt: skip
 
 
-def _without_dead_time(given: Given[OpenLoop, ErrorOptions]) -> OpenLoop:
-    """The loop; raises Unsolved where there is a dead time in it."""
-    if given.system.delay != 0:
-        raise Unsolved("loops/dead_time", closed=given.system.closed)
-    return given.system
+def _stable(loop: OpenLoop) -> Derivation[Inside]:
+    """The loop is stable; with a dead time in it by Nyquist's count."""
+    return (yield from (stable_late_loop if loop.delay != 0 and loop.closed else stable_loop)(loop))
 
 
 @steady_state_error.verification("error")
@@ -182,9 +181,11 @@ def is_what_remains(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> I
 
     def loops() -> Any:
         factors = (loop.C, loop.G, loop.H)
-        return judges.stable_loops(factors, s, [*signals, error], closed=loop.closed, discrete=discrete)
+        return judges.stable_loops(
+            factors, s, [*signals, error], closed=loop.closed, discrete=discrete, delay=loop.delay
+        )
 
-    for oracle, residual, tolerance in judges.error_judges(discrete=discrete):
+    for oracle, residual, tolerance in judges.error_judges(discrete=discrete, late=loop.delay != 0):
         check = partial(residual, loops, signals, s, acting.time, error)
         yield numeric.check_residual(label, oracle, check, tolerance, answer="error")
 
@@ -208,7 +209,8 @@ def are_limits(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterab
 
     def wrong_side(sign: int) -> float:
         factors = (loop.C, loop.G, loop.H)
-        found = judges.stable_loops(factors, s, [acting.r, acting.d], closed=loop.closed, discrete=loop.discrete)
+        signals = [acting.r, acting.d]
+        found = judges.stable_loops(factors, s, signals, closed=loop.closed, discrete=loop.discrete, delay=loop.delay)
         return judges.sign_residual(found, s, sign)
 
     for n, name in enumerate(CONSTANTS):

@@ -51,19 +51,30 @@ class LoopInNumbers:
     """C, G, H as they are given."""
     closed: bool
     discrete: bool = False
+    delay: float = 0.0
+    """Of the plant, continuous."""
 
     @property
     def characteristic(self) -> Array:
         """The denominator of the loop, nothing cancelled."""
-        (c, d), (p, q), (h, k) = self.C, self.G, self.H
-        open_loop = _times(d, q, k) if self.closed else _times(d, q)
-        return np.polyadd(open_loop, _times(c, p, h)) if self.closed else open_loop
+        (c, _), (p, _), (h, _) = self.C, self.G, self.H
+        return np.polyadd(self.opened, _times(c, p, h)) if self.closed else self.opened
+
+    @property
+    def opened(self) -> Array:
+        """The denominator of L, of C G where the loop is not closed."""
+        (_, d), (_, q), (_, k) = self.C, self.G, self.H
+        return _times(d, q, k) if self.closed else _times(d, q)
 
     @property
     def poles(self) -> Array:
-        """The roots of the characteristic polynomial, without those of integrators where the loop is open."""
-        p = np.trim_zeros(self.characteristic, "f")
-        while not self.closed and abs(np.polyval(p, float(self.discrete))) <= 1e-12 * np.sum(np.abs(p)):
+        """The roots of the characteristic polynomial, without those of integrators where the loop is open.
+
+        With a dead time in a closed loop those of the open loop, integrators apart: they say how fast it may be.
+        """
+        opened = not self.closed or self.delay > 0
+        p = np.trim_zeros(self.opened if opened else self.characteristic, "f")
+        while opened and abs(np.polyval(p, float(self.discrete))) <= 1e-12 * np.sum(np.abs(p)):
             p = np.polydiv(p, [1.0, -float(self.discrete)])[0]
         return np.roots(p)
 
@@ -83,6 +94,7 @@ class LoopInNumbers:
         """Return what the error makes of the reference and of the disturbance where s has a value, in many digits."""
         here = Environment.at([{**point, s: value}], MANY)
         C, G, H = (np.ravel(value_of(each, here).value)[0] for each in self.factors)
+        G = G * MANY.context.exp(-value * self.delay) if self.delay else G
         below = 1 + C * G * H if self.closed else 1
         return 1 - C * G / below, -G / below
 
@@ -91,20 +103,28 @@ Loops = Callable[[], Sequence[tuple[Point, LoopInNumbers]]]
 """What finds loops in numbers, with the values of the parameters."""
 
 
+Simulation = Callable[[LoopInNumbers, Sequence[Any], Any, Point], tuple[float, float]]
+"""What finds e at two late times."""
+
+
 def _times(*factors: Array) -> Array:
     return reduce(np.polymul, factors)
 
 
 def stable_loops(
-    factors: Sequence[Any], s: Any, others: Any, *, closed: bool, discrete: bool = False
+    factors: Sequence[Any], s: Any, others: Any, *, closed: bool, discrete: bool = False, delay: Any = sp.S.Zero
 ) -> list[tuple[Point, LoopInNumbers]]:
-    """Return the loop in numbers at some values of the parameters for which it is stable; raises NotEvaluable."""
-    symbols = free_symbols([*factors, *others]) - {s}
+    """Return the loop in numbers at some values of the parameters for which it is stable; raises NotEvaluable.
+
+    With a dead time in a closed loop it is taken as it is.
+    """
+    symbols = free_symbols([*factors, *others, delay]) - {s}
     found = []
     for point in admissible(symbols, TRIED if symbols else 1):
         C, G, H = (_quotient(each, s, point) for each in factors)
-        loop = LoopInNumbers(C, G, H, tuple(factors), closed, discrete)
-        if loop.slowest > 0:
+        (late,) = numbers_at([delay], point)
+        loop = LoopInNumbers(C, G, H, tuple(factors), closed, discrete, float(complex(late).real))
+        if loop.slowest > 0 or (closed and loop.delay):
             found.append((point, loop))
         if len(found) == (POINTS if symbols else 1):
             return found
@@ -182,11 +202,13 @@ def _times_at(point: Point, t: Any, times: Array) -> Environment:
     return Environment.at([{**point, t: each} for each in times], MANY)
 
 
-def residual_of_simulation(loops: Loops, signals: Sequence[Any], _s: Any, t: Any, error: Any) -> float:
+def residual_of_simulation(
+    loops: Loops, signals: Sequence[Any], _s: Any, t: Any, error: Any, simulated: Simulation | None = None
+) -> float:
     """Return how far the error of the simulated loop is from its limit, late; ∞ where one alone is without end."""
     worst, signals = 0.0, list(map(_lasting, signals))
     for point, loop in loops():
-        early, late = _simulated(loop, signals, t, point)
+        early, late = (simulated or _simulated)(loop, signals, t, point)
         if error in (sp.oo, -sp.oo):
             grows = abs(late) > 1.5 * abs(early) and (late > 0) == (error == sp.oo)
             worst = worst if grows else WRONG

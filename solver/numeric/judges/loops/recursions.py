@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from math import ceil
 from typing import Any
 
@@ -22,6 +23,7 @@ from solver.numeric.judges.loops.errors import (
     residual_beside_origin,
     residual_of_simulation,
 )
+from solver.numeric.judges.loops.late_errors import simulated_by_steps
 from solver.numeric.judges.representation.minimal import MANY, numbers_at
 
 DIED_OUT = 45.0
@@ -34,12 +36,18 @@ GROWS = 1.2
 Residual = Callable[[Loops, Sequence[Any], Any, Any, Any], float]
 
 
-def error_judges(*, discrete: bool) -> list[tuple[str, Residual, float]]:
+def error_judges(*, discrete: bool, late: bool = False) -> list[tuple[str, Residual, float]]:
     """Return the judges of what remains of an error: the oracle, the residual, what it may be."""
     if discrete:
         return [
             ("the recursion of the loop (50 digits)", residual_of_recursion, 1e-11),
             ("scipy.signal.lfilter, the loop simulated", residual_of_filter, 1e-3),
+        ]
+    if late:
+        by_steps = partial(residual_of_simulation, simulated=simulated_by_steps)
+        return [
+            ("mpmath, s E(s) beside the origin (50 digits)", residual_beside_origin, 1e-11),
+            ("scipy, the loop simulated from dead time to dead time", by_steps, 1e-3),
         ]
     return [
         ("mpmath, s E(s) beside the origin (50 digits)", residual_beside_origin, 1e-11),

@@ -1,0 +1,142 @@
+"""Loops around a dead time: what remains of errors, sensitivity, what cancels in L, against simulation and by hand."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from solver.derivation import Status
+from solver.systems import DeadTime, OpenLoop, TransferFunction
+from tests.helpers.asking import ask, rejected
+
+s, t, K, a = sp.symbols("s t K a")
+T = sp.Symbol("T", positive=True)
+ONE = sp.Integer(1)
+LAG = 1 / (s + 1)
+
+
+def plant(G, delay=ONE):
+    top, bottom = (sp.Poly(each, s).as_expr() for each in sp.fraction(sp.together(G)))
+    return DeadTime(TransferFunction(sp.ImmutableMatrix([[sp.cancel(G)]]), ((top,),), ((bottom,),), s), sp.S(delay))
+
+
+def loop(G, feedback=ONE):
+    rational = plant(G).rational
+    return OpenLoop(rational, rational, ONE, ONE, sp.cancel(G), ONE, closed=feedback is not None)
+
+
+def error(G, delay=ONE, method="final_value", **options):
+    return ask("steady_state_error", plant(G, delay), method, **{"reference": ONE, "feedback": ONE, **options})
+
+
+@pytest.mark.parametrize(
+    ("G", "delay", "options", "wanted"),
+    [
+        (2 * LAG, 1, {}, sp.Rational(1, 3)),
+        (sp.Rational(1, 2) / s, 1, {"reference": t}, 2),
+        (sp.Rational(1, 2) / s, 1, {"reference": t, "disturbance": ONE}, 1),
+        (LAG, 1, {"reference": t}, sp.oo),
+        (LAG, 1, {"reference": t, "feedback": None}, 2),  # the dead time adds itself to the error of the ramp
+        (2 / (s - 1), sp.Rational(1, 10), {}, -1),  # unstable without feedback
+        (LAG, 1, {"feedback": 2 / (s + 3)}, sp.Rational(2, 5)),
+        (LAG, 1, {"reference": 1 + sp.exp(-t)}, sp.Rational(1, 2)),
+        (1 / s, sp.pi / 4, {"reference": t}, 1),
+    ],
+)
+def test_errors_of_late_loops(G, delay, options, wanted):
+    result = error(G, delay, **options)
+    assert result.status is Status.VERIFIED
+    assert not any(check.status.value == "skipped" for check in result.checks)
+    assert result.answers["error"] == wanted
+
+
+def test_the_steps_and_both_methods():
+    result = error(2 * LAG)
+    kinds = [step.kind for step in result.steps]
+    assert kinds == ["open_loop", "characteristic", "on_axis", "late_crossovers", "counted", "signals", "unity",
+                     "final_value", "constants"]  # fmt: skip
+    assert error(2 * LAG, method="error_constants").answers == result.answers
+
+
+def test_errors_with_letters_without_feedback():
+    positive = sp.Symbol("a", positive=True)
+    result = error(positive / (s + positive), T, reference=t, feedback=None)
+    assert result.status is Status.VERIFIED
+    assert sp.cancel(result.answers["error"] - (T + 1 / positive)) == 0
+
+
+def test_an_unstable_late_loop_has_no_error():
+    result = error(3 * LAG)
+    assert result.status is Status.UNSOLVED
+    assert "2 of its poles lie in the right half plane" in str(result.reason)
+    assert "passes through" in str(error(2 / s, sp.pi / 4).reason)
+    assert "no limit" in str(error(LAG, reference=sp.sin(t)).reason)
+
+
+def test_corrupted_errors_of_late_loops_are_rejected():
+    asked = {"reference": ONE, "feedback": ONE}
+    assert not rejected("steady_state_error", loop(2 * LAG), {"error": sp.Rational(1, 3)}, **asked)
+    for wrong in (sp.Rational(1, 2), sp.S.Zero, sp.oo, sp.Rational(33, 100)):
+        assert rejected("steady_state_error", loop(2 * LAG), {"error": wrong}, **asked)
+    ramp = {"reference": t, "feedback": None}
+    for wrong in (sp.S.Zero, ONE, sp.oo):
+        assert rejected("steady_state_error", loop(LAG, None), {"error": wrong}, **ramp)
+
+
+def test_what_cancels_in_a_late_loop_stays_a_pole_of_it():
+    for hidden, stable in ((s, False), (s**2 + 1, False), (s - 1, False), (s + 2, True)):
+        G = TransferFunction(sp.ImmutableMatrix([[LAG / 2]]), ((hidden / 2,),), ((sp.expand(hidden * (s + 1)),),), s)
+        for task in ("stability_margins", "nyquist"):
+            result = ask(task, DeadTime(G, ONE))
+            assert result.status is Status.VERIFIED
+            assert result.answers["stable"] is stable
+
+
+def test_the_sensitivity_is_written_with_the_dead_time_above():
+    result = ask("sensitivity", plant(LAG), feedback=ONE)
+    assert str(result.answers["S"]) == "(s + 1)/(s + 1 + exp(-s))"
+    of_K = ask("sensitivity", plant(K * LAG), feedback=ONE, parameter="K")
+    assert of_K.status is Status.VERIFIED
+    assert of_K.answers["S"] == (s + 1) / (K * sp.exp(-s) + s + 1)
+
+
+def test_multiple_poles_and_sharp_tops_are_judged():
+    assert ask("bode", plant((1 + s / 10) / (s * (1 + s) ** 3), sp.Rational(1, 10))).status is Status.VERIFIED
+    sharp = ask("frequency_response", plant(1 / (s * (s + 1)), 0).rational, controller=sp.Integer(10), feedback=ONE)
+    assert sharp.status is Status.VERIFIED
+    assert sharp.answers["resonant_frequency"] == sp.sqrt(38) / 2
+
+
+@pytest.mark.parametrize(
+    ("C", "H", "wanted", "says"),
+    [
+        (sp.Integer(2), ONE, sp.Rational(2, 3), "is stable"),
+        (sp.Integer(3), ONE, sp.Rational(3, 4), "is not stable"),
+        (1 / (4 * s), sp.Integer(3), sp.Rational(1, 3), "is stable"),
+        (K, ONE, K / (K + 1), "Where the loop is stable"),
+    ],
+)
+def test_the_dc_gain_of_a_late_loop(C, H, wanted, says):
+    result = ask("dc_gain", plant(LAG), controller=C, feedback=H)
+    assert result.status is Status.VERIFIED
+    assert sp.cancel(result.answers["dc_gain"] - wanted) == 0
+    stable = next(step for step in result.steps if step.kind == "late_meaning").values["stable"]
+    assert {True: "is stable", False: "is not stable", None: "Where the loop is stable"}[stable] == says
+
+
+def test_a_controller_before_a_dead_time_is_a_path():
+    after = ask("response", plant(LAG), kind="zero_state", input=(ONE,), controller=sp.Integer(2))
+    assert after.status is Status.VERIFIED
+    assert after.answers["y_final"] == 2
+    form = ask("pole_zero_form", plant(LAG), controller=(s + 2) / s)
+    assert form.status is Status.VERIFIED
+    assert sorted(form.answers["poles"]) == [-1, 0]
+    assert form.answers["zeros"] == [-2]
+
+
+@pytest.mark.parametrize("task", ["time_constants", "step_specifications", "pole_zero_form", "response"])
+def test_what_a_late_loop_cannot_be_asked_names_what_can(task):
+    options = {"kind": "zero_state", "input": (ONE,)} if task == "response" else {}
+    result = ask(task, plant(LAG), controller=ONE, feedback=ONE, **options)
+    assert result.status is Status.UNSOLVED
+    assert all(name in str(result.reason) for name in ("stability_margins", "dc_gain", "steady_state_error"))
