@@ -11,7 +11,15 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.conversion import composition, conversion, converted_to
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient, total
-from solver.systems import DeadTime, MatrixFeedback, OutputFeedback, System, TransferFunction
+from solver.systems import (
+    DeadTime,
+    LateLoop,
+    LatePath,
+    MatrixFeedback,
+    OutputFeedback,
+    System,
+    TransferFunction,
+)
 
 
 @composition("controller", "feedback", order=2)
@@ -20,7 +28,8 @@ def closed(system: System, options: Mapping[str, Any]) -> OutputFeedback:
     controller, H = options["controller"], options["feedback"]
     C = sp.Integer(1) if controller is None else controller
     several = {system.size("p") or 1, system.size("m") or 1} != {1} or hasattr(C, "shape") or hasattr(H, "shape")
-    return (MatrixFeedback if several else OutputFeedback)(system, C, H)
+    late = (LatePath if H is None else LateLoop) if isinstance(system, DeadTime) else OutputFeedback
+    return (MatrixFeedback if several else late)(system, C, H)
 
 
 @conversion(OutputFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion", "path"))
@@ -30,8 +39,6 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
 
     Raises Unsolved where 1 + C G H vanishes, and where the result is improper.
     """
-    if isinstance(loop.plant, DeadTime):
-        raise Unsolved("conversions/dead_time_in_a_loop", closed=loop.feedback is not None)
     G: TransferFunction = yield from converted_to(loop.plant, TransferFunction)
     if G.matrix.shape != (1, 1):
         return (yield from transfer_matrix_of_loop(MatrixFeedback(G, loop.controller, loop.feedback)))
@@ -54,3 +61,27 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
     if sp.degree(top, x) > sp.degree(bottom, x):
         raise Unsolved("conversions/improper_loop")
     return transfer_system(G, sp.ImmutableMatrix([[sp.cancel(top / bottom)]]), ((top,),), ((bottom,),))
+
+
+@conversion(LatePath, DeadTime, gives=lambda _: ("dead_time", "motion", "path"))
+@lemma("loop")
+def late_path_of(path: LatePath) -> Derivation[DeadTime]:
+    """C G₀ with the dead time of G; raises Unsolved where it is improper."""
+    plant: DeadTime = path.plant  # type: ignore[assignment]
+    G, C, x = plant.rational, path.controller, plant.variable
+    (p, q), (c, d) = (G.numerators[0][0], G.denominators[0][0]), polynomials_of(C)
+    top, bottom = by_powers(c * p, x), by_powers(d * q, x)
+    whole = quotient(top, bottom)
+    late = product(whole, plant.factor)
+    yield from forward_path_of(C, product(quotient(p, q), plant.factor), late, x, open_loop=True, several=False)
+    if sp.degree(top, x) > sp.degree(bottom, x):
+        raise Unsolved("conversions/improper_loop")
+    rational = transfer_system(G, sp.ImmutableMatrix([[sp.cancel(top / bottom)]]), ((top,),), ((bottom,),))
+    return DeadTime(rational, plant.delay)
+
+
+@conversion(LateLoop, TransferFunction, gives=lambda _: ("transfer_function", "motion"))
+def of_late_loop(loop: LateLoop) -> Derivation[TransferFunction]:
+    """There is none: raises Unsolved."""
+    yield from ()
+    raise Unsolved("conversions/dead_time_in_a_loop", closed=loop.feedback is not None)

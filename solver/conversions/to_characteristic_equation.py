@@ -7,6 +7,8 @@ from solver.derivation.conversion import conversion, converted_to
 from solver.systems import (
     CharacteristicEquation,
     DeadTime,
+    LateLoop,
+    LatePath,
     OpenLoop,
     OutputFeedback,
     Polynomial,
@@ -29,6 +31,18 @@ def equation_of_polynomial(p: Polynomial) -> Derivation[CharacteristicEquation]:
 def equation_of_loop(loop: OutputFeedback) -> Derivation[CharacteristicEquation]:
     """1 + L(s) = 0 with L = C G H."""
     return (yield from _around(loop))
+
+
+@conversion(LateLoop, CharacteristicEquation, gives=lambda _: PROVIDED)
+def equation_of_late_loop(loop: LateLoop) -> Derivation[CharacteristicEquation]:
+    """1 + L(s) = 0, its dead time kept apart."""
+    return (yield from _around(loop))
+
+
+@conversion(LatePath, CharacteristicEquation, gives=lambda _: PROVIDED)
+def equation_of_late_path(path: LatePath) -> Derivation[CharacteristicEquation]:
+    """1 + L(s) = 0 with L = C G, its dead time kept apart."""
+    return (yield from _around(path))
 
 
 @conversion(TransferFunction, CharacteristicEquation, gives=lambda has: PROVIDED if "transfer_function" in has else ())

@@ -10,7 +10,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.conversion import conversion, converted_to
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient
-from solver.systems import DeadTime, OpenLoop, OutputFeedback, System, TransferFunction
+from solver.systems import DeadTime, LateLoop, LatePath, OpenLoop, OutputFeedback, System, TransferFunction
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -37,6 +37,18 @@ def open_loop_of(loop: OutputFeedback) -> Derivation[OpenLoop]:
     yield Step("open_loop", claims={"L": claim}, x=x, C=C, G=G, H=H, delay=delay, factor=factor)
     rational = transfer_system(plant, sp.ImmutableMatrix([[sp.cancel(top / bottom)]]), ((top,),), ((bottom,),))
     return OpenLoop(loop.plant, rational, delay, C, G, H, closed=loop.feedback is not None)
+
+
+@conversion(LateLoop, OpenLoop, gives=lambda _: ("open_loop",))
+def open_loop_of_late_loop(loop: LateLoop) -> Derivation[OpenLoop]:
+    """The same, its dead time kept apart."""
+    return (yield from open_loop_of(loop))
+
+
+@conversion(LatePath, OpenLoop, gives=lambda _: ("open_loop",))
+def open_loop_of_late_path(path: LatePath) -> Derivation[OpenLoop]:
+    """The same, its dead time kept apart."""
+    return (yield from open_loop_of(path))
 
 
 @conversion(TransferFunction, OpenLoop, gives=lambda has: ("open_loop",) if "transfer_function" in has else ())

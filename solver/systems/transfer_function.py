@@ -117,7 +117,9 @@ class DeadTime:
     def described(self) -> str:
         """What it is given by, in words."""
         says = "with its dead time the transfer function is no quotient of polynomials"
-        return f"{says}, and no finite number of states has it"
+        return (
+            f"{says}, and no finite number of states has it; put (2 - T s)/(2 + T s) in its place, or ask for margins"
+        )
 
     def size(self, of: str) -> int | None:
         """Return the number of inputs "m" or outputs "p"."""

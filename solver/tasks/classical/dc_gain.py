@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
@@ -19,7 +20,8 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.lazy import exact, numeric
+from solver.derivation.conversion import converted_to
+from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import classical as judges
 from solver.stated.algebra import power, product, quotient
@@ -48,16 +50,37 @@ dc_gain: Task[Plant, LoopOptions] = Task(
 
 @dc_gain.method(source="Franklin, Powell and Emami-Naeini, section 3.1; Ogata, Discrete-Time Control Systems, §3–4")
 def by_the_value_at_zero(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
-    """G at s = 0, at z = 1; infinite where G has a pole there."""
-    path = yield from path_of(given)
+    """G at s = 0, at z = 1; infinite where G has a pole there. Of a loop round a dead time e⁰ is 1 in it."""
+    late = isinstance(given.system, systems.LateLoop)
+    path = yield from (_at_rest(given) if late else path_of(given))
     found = exact.value_at_zero(path.fraction, discrete=path.discrete)
+    if found.order and late:
+        raise Unsolved("dc_gain/late_pole")
     if found.order:
         return (yield from _infinite(path, found))
     claim = Claim(value_at(quotient(*path.shown), path.variable, path.rest), found.value, "the DC gain")
     yield Step("value", claims={"value": claim}, x=path.variable, delay=path.delay, discrete=path.discrete,
                excluded=exact.vanishing_factors(found.below.subs(path.variable, path.rest)))  # fmt: skip
-    yield _meaning(path)
+    yield _late_meaning(given) if late else _meaning(path)
     return Answers(dc_gain=found.value)
+
+
+def _at_rest(given: Given[Any, LoopOptions]) -> Derivation[Path]:
+    """The loop without its dead time, which is the same at s = 0."""
+    loop = given.system
+    yield Step("at_rest", unclaimed="e to the power of zero is one", delay=loop.plant.delay, x=sp.Symbol("s"))
+    T = yield from converted_to(loop.rational, systems.TransferFunction)
+    return (yield from path_of(replace(given, system=T)))
+
+
+def _late_meaning(given: Given[Any, LoopOptions]) -> Step:
+    """Whether the output of a constant input settles in a loop round a dead time, by Nyquist's count."""
+    loop = quietly(converted_to(given.system, systems.OpenLoop))
+    known = not set(loop.parameters) - {loop.variable}
+    stable = None
+    if known and sp.degree(loop.numerator, loop.variable) < sp.degree(loop.denominator, loop.variable):
+        stable = exact.encirclements(loop.numerator, loop.denominator, loop.variable, loop.delay).stable
+    return Step("late_meaning", detail="full", unclaimed="a remark; the answer has a check of its own", stable=stable)
 
 
 def _infinite(path: Path, found: exact.ValueAtZero) -> Derivation[Answers]:

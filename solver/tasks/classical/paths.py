@@ -81,6 +81,8 @@ class Path:
 def path_of(given: Given[Plant, Any]) -> Derivation[Path]:
     """N/D in lowest terms, what cancels named; raises Unsolved where there are several inputs or outputs."""
     plant: Any = given.system
+    if isinstance(plant, systems.LateLoop):
+        raise Unsolved("conversions/dead_time_in_a_loop", closed=True)
     delay = sp.Integer(0)
     if isinstance(plant, systems.DeadTime):
         yield from dead_time_apart(plant)
@@ -140,7 +142,11 @@ def numbers_of(plant: Plant) -> Any:
     return matrices_of(rational)
 
 
-def stated_path(plant: Plant) -> Any:
-    """G as the problem states it, a formula (1×1)."""
+def stated_path(plant: Any) -> Any:
+    """G as the problem states it, a formula (1×1); T of a loop round a dead time."""
+    if isinstance(plant, systems.LateLoop):
+        late: Any = plant.plant
+        path = plant.controller * late.uncancelled
+        return sp.ImmutableMatrix([[path / (1 + path * plant.feedback)]])
     stated = stated_matrix(rational_plant(plant))
     return sp.ImmutableMatrix(stated * plant.factor) if isinstance(plant, systems.DeadTime) else stated
