@@ -224,3 +224,11 @@ def test_an_unstable_plant_with_a_dead_time_oscillates_at_its_second_limit():
     assert float(answers["K_u"]) == pytest.approx(15.0775, rel=1e-4)  # stable for 1 < K < 15.08
     assert judged(G, ULTIMATE, {"K_u": answers["K_u"] * 2}) == {CheckStatus.FAILED}
     assert "not stable" in str(tuned(late(plant(sp.Integer(1), s**2 + 1), r(1, 10))).reason)
+
+
+def test_powers_of_e_are_one_quotient():
+    found = tuned(plant(sp.Integer(1), (s + 1) ** 3), STEP).answers
+    e = sp.exp(2)
+    assert found["K_d"] == 3 * e / 10
+    assert found["K_p"] == 6 * e / (45 - 5 * e)
+    assert found["K_i"] == 6 * e / (405 - 90 * e + 5 * e**2)

@@ -56,12 +56,21 @@ class Tuned:
 
 def tuned(rule: TuningRule, gain: sp.Expr, time: sp.Expr) -> Tuned:
     """Return the gains that a rule gives for the gain and the time that it is about."""
-    K_p = tidy(rule.gain * gain)
-    T_i = tidy(rule.integral * time) if rule.integral is not None else None
-    T_d = tidy(rule.derivative * time) if rule.derivative is not None else None
-    K_i = tidy(K_p / T_i) if T_i is not None else sp.Integer(0)
-    K_d = tidy(K_p * T_d) if T_d is not None else sp.Integer(0)
+    K_p = _one_quotient(rule.gain * gain)
+    T_i = _one_quotient(rule.integral * time) if rule.integral is not None else None
+    T_d = _one_quotient(rule.derivative * time) if rule.derivative is not None else None
+    K_i = _one_quotient(K_p / T_i) if T_i is not None else sp.Integer(0)
+    K_d = _one_quotient(K_p * T_d) if T_d is not None else sp.Integer(0)
     return Tuned(Gains(K_p, K_i, K_d), T_i, T_d)
+
+
+def _one_quotient(value: sp.Expr) -> sp.Expr:
+    """A number without fractions in fractions: with powers of e one quotient in lowest terms, its denominator > 0."""
+    if not value.has(sp.exp) or value.has(sp.Float) or value.free_symbols:
+        return tidy(value)
+    above, below = sp.fraction(sp.cancel(sp.together(value)))
+    sign = -1 if sp.N(below) < 0 else 1
+    return sp.expand(sign * above) / sp.expand(sign * below)
 
 
 def gains_of(values: Sequence[sp.Expr]) -> Gains:
@@ -103,7 +112,7 @@ def closed_by(controller: tuple[sp.Expr, sp.Expr], plant: tuple[sp.Expr, sp.Expr
 
 def _collected(p: sp.Expr, s: sp.Symbol) -> sp.Expr:
     """A polynomial by powers of s, each coefficient as a person writes it."""
-    return sp.Add(*(tidy(c) * s**k for (k,), c in sp.Poly(p, s).terms()))
+    return sp.Add(*(_one_quotient(c) * s**k for (k,), c in sp.Poly(p, s).terms()))
 
 
 def _poles(p: sp.Expr, s: sp.Symbol) -> tuple[sp.Expr, ...]:
