@@ -57,6 +57,7 @@ def test_the_count_of_crossings_is_that_of_the_poles(numerator, denominator, gai
     assume(sp.degree(N, z) < sp.degree(D, z))
     found = exact.encirclements(N, D, z, sample_time=sp.Integer(1))
     sizes = [np.abs(np.roots([float(c) for c in sp.Poly(p, z).all_coeffs()])) for p in (D, N + D)]
+    assume(not any(1e-4 < abs(size - 1) < 2e-3 for each in sizes for size in each))  # doubles do not tell
     if not found.through:
         assert found.open_loop == sum(sizes[0] > 1 + 1e-3)
         assert found.closed_loop == sum(sizes[1] > 1 + 1e-3)
