@@ -19,6 +19,7 @@ from solver.render.markdown import markdown_of
 from solver.render.page import render_page
 from solver.render.wording import LEVELS
 from solver.symbols import NOTATIONS
+from tests.helpers.repeated import repeated
 from tests.helpers.shares import WHOLE, in_turn
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_problem, solution_of, told_of_problem
 from tools.corrupted_kernels.samples import covering
@@ -65,26 +66,15 @@ def test_the_problem_is_verified(path):
 
 
 COURSE = [path for path in PROBLEMS if "course" in path.parts]
-ALIKE = {"ch1-ex01": 29, "ch1-q01": 33, "ch1-q03": 29, "ch1-q11": 20, "ch2-ex01": 20, "ch3-ex04": 25, "ch4-q03": 22,
-         "ch4-q04": 22, "ch5-ex05": 26, "ch5-q06": 22, "appD-final2-1a": 24,
-         "appD-final2-1b": 24, "ch6-text-qtank-tf": 20}  # fmt: skip
-"""Pages that ask the same of several small systems, where headings and short answers recur: percent; only to shrink."""
-
-
-def repeated(markdown):
-    """The percentage of a page in lines of 12 characters or more that stand above, tables and brackets apart."""
-    lines = [line.strip() for line in markdown.split("\n") if not line.startswith(("|", r"\begin", r"\end"))]
-    seen, again = set(), 0
-    for line in (line for line in lines if len(line) >= 12):
-        again += len(line) * (line in seen)
-        seen.add(line)
-    return 100 * again / sum(len(line) for line in lines if len(line) >= 12)
+TWICE = 10
+"""The percentage of a page that may be told twice."""
 
 
 @pytest.mark.parametrize("detail", ["tutor", "full"])
 @pytest.mark.parametrize(**by_problem(COURSE, quick=[], of=2))
 def test_a_page_tells_everything_once(path, detail):
-    assert repeated(markdown_of(document_of_problem(path).told(detail=detail))) < ALIKE.get(path.stem, 18)
+    share, twice = repeated(document_of_problem(path).told(detail=detail))
+    assert share < TWICE, twice
 
 
 @pytest.mark.parametrize(**by_problem(COURSE, quick=[], of=2))

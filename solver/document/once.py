@@ -14,6 +14,7 @@ from operator import itemgetter
 from solver.document.checks import Say, check_rows
 from solver.document.model import CheckRow, Reference, Work, WorkAnswer, WorkStep
 from solver.document.results import RESULT, at_the_end, chains_in, ends_in, results_of, to_go_on_with, value_of
+from solver.render.pointing import linked
 from solver.render.prose import plain
 from solver.words import Phrase
 
@@ -22,6 +23,9 @@ LEAST_SAVED = 60
 
 LEAST_EXPLAINED = 60
 """Characters of an explanation that is not told again."""
+
+LEAST_CONCLUDED = 150
+"""Characters of what is said at the end of a step from which on it remarks more than it concludes."""
 
 LEAST_LEADING = 40
 """Characters of an introduction under a title that is not told again."""
@@ -60,6 +64,7 @@ class _Page:
     given: dict[str, Work] = field(default_factory=dict)
     sources: set[tuple[str, str]] = field(default_factory=set)
     boxed: dict[tuple[str, str], Work] = field(default_factory=dict)
+    found: dict[tuple[str, str, str], Work] = field(default_factory=dict)
     results: list[tuple[_Place, str]] = field(default_factory=list)
     blocks: dict[tuple[str, str], _Place] = field(default_factory=dict)
 
@@ -108,19 +113,25 @@ class _Page:
     def _answered(self, part: Work) -> Work:
         """Return a part that points at answers told above: those found on the way, all where a method found the same.
 
-        What is asked for is boxed again, unless another method has it in its box and this one in its steps.
+        A method that has found in its steps some of what another one has in its box says that it is the same.
         """
         answers = tuple(answer if answer.asked else self._pointed_at(part, answer) for answer in part.answers)
         told = replace(part, answers=answers)
+        for answer in answers:
+            self.found.setdefault(_known_as(part, answer), told)
         first = self.boxed.setdefault((part.id, part.case), told)
-        derived = all(self._place_of(part, answer, own=True) for answer in told.boxed if answer.name)
+        named = [answer for answer in told.boxed if answer.name]
+        derived = not named or any(self._place_of(part, answer, own=True) for answer in named)
         if part.again and told.boxed and derived and all(answer in first.boxed for answer in told.boxed):
             return replace(told, same=self._reference(part, first, ()))
         return told
 
     def _pointed_at(self, part: Work, answer: WorkAnswer) -> WorkAnswer:
         place = self._place_of(part, answer) or self._telling(part, answer)
-        return replace(answer, stands=self._reference(part, place.part, [place.number])) if place else answer
+        above = self.found.get(_known_as(part, answer))  # another question about the system has told it
+        if not place and not above:
+            return answer
+        return replace(answer, stands=self._reference(part, *(place.part, [place.number]) if place else (above, ())))
 
     def _place_of(self, part: Work, answer: WorkAnswer, *, own: bool = False) -> _Place | None:
         """Return the last step of a part, by any method or by its own, that ends in the answer."""
@@ -196,7 +207,7 @@ class _Page:
     def _unrepeated(self, step: WorkStep, place: _Place) -> str:
         """Return the text of a step without what stands in one of its kind above, and note what does not.
 
-        What follows the last display of a step concludes, and stays.
+        What follows the last display of a step concludes, and stays, but for remarks.
         """
         blocks = step.markdown.split("\n\n")
         last = max((i for i, block in enumerate(blocks) if "$$" in block or step.steps), default=-1)
@@ -205,30 +216,39 @@ class _Page:
         told: list[_Place] = []
         for there, group in groupby(zip(above, blocks, strict=False), key=itemgetter(0)):
             found = [block for _, block in group]
-            left = found if there is None else self._abridged(found, place, there, again=there in told)
-            told += [there] if there is not None and left != found and not all(map(_explains, found)) else []
+            left, referred = (
+                (found, False) if there is None else self._abridged(found, place, there, again=there in told)
+            )
+            told += [there] if there is not None and referred else []
             headed = not shown and len(found) == 1 and _leads_in(found[0])  # then the title of the step leads in
             shown += [] if there is not None and left == found and headed else left
-        for block in blocks[: last + 1]:
+        shown += [block for block in blocks[last + 1 :] if not (_remarks(block) and (step.kind, block) in self.blocks)]
+        for block in blocks:
             self.blocks.setdefault((step.kind, block), place)
-        return "\n\n".join(shown + blocks[last + 1 :])
+        return "\n\n".join(shown)
 
-    def _abridged(self, blocks: list[str], place: _Place, above: _Place, *, again: bool) -> list[str]:
-        """Return less in place of blocks that stand above: explanations need no word, others where they stand.
+    def _abridged(self, blocks: list[str], place: _Place, above: _Place, *, again: bool) -> tuple[list[str], bool]:
+        """Return less in place of blocks that stand above, and whether it refers to them: explanations need no word.
 
         A step does not refer to itself, and what was done to other rows is done to these again. What was referred to
         in this step is not named `again`.
         """
-        if all(map(_explains, blocks)):
-            return []
-        if place == above or any(_OPERATION.search(block) for block in blocks):
-            return blocks
+        unexplained = [block for block in blocks if not _explains(block)]
+        if not unexplained or place == above or any(_OPERATION.search(block) for block in blocks):
+            return (blocks if unexplained else []), False
         goes_on = to_go_on_with(at_the_end(blocks) if RESULT.fullmatch(blocks[-1]) else [])
         there = self._reference(place.part, above.part, [above.number])
         follows = goes_on or not RESULT.fullmatch(blocks[-1])
-        phrase = Phrase("As in {places}:" if follows else "As in {places}.", places=there.place)
+        phrase = Phrase("As in {places}:" if follows else "As in {places}.", places=linked(there))
         left = [*([] if again else [self.say(phrase)]), *([goes_on] if goes_on else [])]
-        return left if sum(map(len, left)) + LEAST_SAVED <= sum(map(len, blocks)) else blocks
+        length = sum(map(len, left)) - len(linked(there)) + len(there.place)
+        shorter = length + LEAST_SAVED <= sum(map(len, blocks))
+        return (left, True) if shorter else (unexplained, False)
+
+
+def _known_as(part: Work, answer: WorkAnswer) -> tuple[str, str, str]:
+    """Return by what an answer about a system is known on a page: what is given, what it means and what it is."""
+    return part.given, answer.doc, answer.equation
 
 
 def _explains(block: str) -> bool:
@@ -236,6 +256,11 @@ def _explains(block: str) -> bool:
     return (
         len(block) >= LEAST_EXPLAINED and block.endswith(".") and "$$" not in block and not _NO_PARAGRAPH.match(block)
     )
+
+
+def _remarks(block: str) -> bool:
+    """Whether a block of Markdown explains at such length that it is no conclusion."""
+    return len(block) >= LEAST_CONCLUDED and _explains(block)
 
 
 def _leads_in(block: str) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from solver.derivation import Status
-from solver.render.pointing import agreeing, noting, picturing, referring
+from solver.render.pointing import agreeing, noting, picturing, referring, unlinked
 from solver.render.prose import plain
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def _steps(steps: Iterable[WorkStep], level: str, say: Say) -> Iterator[str]:
         yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
         if step.refers:
             yield referring(step, say)
-        yield step.markdown
+        yield unlinked(step.markdown)
         for each in step.pictured:
             yield picturing(each, say)
         for figure in step.figures:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,8 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from solver.document.checks import Say
     from solver.document.model import Reference, Work, WorkAnswer, WorkStep
+
+_LINK = re.compile(r"\[([^\]]+)\]\(#[^)]+\)")
 
 Link = Callable[["Reference"], str]
 """Writes a reference in a format, by default as its words."""
@@ -26,9 +29,15 @@ def linked(there: Reference) -> str:
     return f"[{there.place}](#{there.anchor})"
 
 
+def unlinked(markdown: str) -> str:
+    """Return a text without its links to places of the page, for formats that have no targets."""
+    return _LINK.sub(r"\1", markdown)
+
+
 def referring(step: WorkStep, say: Say, link: Link = words_of) -> str:
     """Return where the steps stand that a step takes the place of; its own text, if it has one, follows."""
-    places = "; ".join(map(link, step.refers))
+    *others, last = map(link, step.refers)
+    places = say(Phrase("{places}, and {last}", places="; ".join(others), last=last)) if others else last
     return say(Phrase("As in {places}:" if step.markdown else "As in {places}.", places=places))
 
 

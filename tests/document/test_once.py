@@ -9,12 +9,13 @@ from hypothesis import strategies as st
 
 from solver.derivation import Check, CheckStatus, Status
 from solver.derivation.figures import Diagram
-from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep, step_anchor
+from solver.document.model import Document, Presentation, Reference, Work, WorkAnswer, WorkStep, step_anchor
 from solver.document.once import told_once
 from solver.messages import Messages
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
 from solver.render.page import render_page
+from solver.render.pointing import referring
 from solver.render.terminal import text_document
 
 REASON = "The matrix is formed as the definition says, row by row, and every entry is found from the one before it."
@@ -122,7 +123,7 @@ def test_a_step_refers_to_a_place_once():
         return step("x", *blocks)
 
     _, second = once(work("a", parted(1)), work("b", parted(2)))
-    shown = ["As in (a), step 1:", *map(display, ("A = 1", "B = 2", "C = 1", "D = 2"))]
+    shown = ["As in [(a), step 1](#part-a-one-step-1):", *map(display, ("A = 1", "B = 2", "C = 1", "D = 2"))]
     assert second.steps[0].markdown == "\n\n".join(shown)
 
 
@@ -168,7 +169,7 @@ def test_lists_stay_and_steps_of_another_kind_tell_their_own():
     listed = f"- {REASON}"
     kept = (listed, display("x = 1"))
     _, second = once(work("a", step("x", *kept, display("z = 1"))), work("b", step("x", *kept, display("z = 2"))))
-    assert listed in second.steps[0].markdown or second.steps[0].markdown.startswith("As in (a), step 1:")
+    assert listed in second.steps[0].markdown or second.steps[0].markdown.startswith("As in [(a), step 1]")
     _, other = once(work("a", step("x", REASON, display("x = 1"))), work("b", step("y", REASON, display("x = 2"))))
     assert REASON in other.steps[0].markdown
 
@@ -266,3 +267,52 @@ def test_a_step_does_not_refer_to_itself_and_row_operations_say_again_what_is_do
     texts = [(display(f"M = {i}"), done, display(f"N = {i}")) for i in (1, 2)]
     _, second = once(*(work(name, step("x", *blocks)) for name, blocks in zip("ab", texts, strict=True)))
     assert done in second.steps[0].markdown
+
+
+def test_what_was_not_asked_for_is_left_out_where_another_part_has_told_it():
+    told, asked = answer("p", "-1", asked=False), answer("z", "-2")
+    _, second = once(work("a", step("x"), answers=(told,)), work("b", step("y"), answers=(told, asked)))
+    assert [each.name for each in second.boxed] == ["z"]
+    assert second.noted == ()
+    other = replace(work("c", step("z"), answers=(told, asked)), given="of another system")
+    assert [each.name for each in once(work("a", step("x"), answers=(told,)), other)[1].boxed] == ["p", "z"]
+
+
+def test_a_method_with_one_of_the_answers_in_its_steps_has_the_others_in_the_box_above():
+    answers = [answer("K", "5"), answer("u", "-5x")]
+    one, two = work("a", step("x", display("K = 5")), answers=answers), step("y", display("K = 5"))
+    assert once(one, work("a", two, method="two", again=True, answers=answers))[1].same is not None
+    unseen = work("a", step("y"), method="two", again=True, answers=answers)
+    assert [each.name for each in once(one, unseen)[1].boxed] == ["K", "u"]
+
+
+def test_a_long_remark_at_the_end_is_told_once_and_a_conclusion_each_time():
+    remark = f"{REASON} {REASON}"
+    texts = [(display(f"x = {i}"), "So it is zero, and that is the end of it, as was to be shown here.", remark)
+             for i in (1, 2)]  # fmt: skip
+    first, second = once(*(work(name, step("x", *blocks)) for name, blocks in zip("ab", texts, strict=True)))
+    assert first.steps[0].markdown.endswith(remark)
+    assert second.steps[0].markdown == "\n\n".join(texts[1][:2])
+
+
+def test_results_that_are_needed_stay_without_the_explanation_that_stands_above():
+    text = (REASON, display("x = 1"), display("y = 2"))
+    _, second = once(*(work(name, step("x", *text, display(f"z = {name}"))) for name in "ab"))
+    assert REASON not in second.steps[0].markdown
+    assert display("y = 2") in second.steps[0].markdown
+
+
+def test_references_in_a_text_are_links_where_the_page_has_targets():
+    text = ("The long introduction of some steps which are all alike but for their ends:", display("x = 1"))
+    parts = [work(name, step("x", REASON, *text, display(f"z = {name}"))) for name in "ab"]
+    told = Document("T", "", "", "", tuple(parts))
+    assert '<a href="#part-a-one-step-1">(a), step 1</a>:' in render_page(told)
+    assert "As in (a), step 1:" in markdown_of(told)
+    assert "#part-a" not in text_document(told)
+
+
+def test_two_places_are_joined_by_and():
+    refers = (Reference("p", (1,), "(a), step 1"), Reference("q", (2,), "(b), step 2"))
+    referred = WorkStep("x", "X", "", refers=refers)
+    assert referring(referred, Messages().say) == "As in (a), step 1, and (b), step 2."
+    assert referring(replace(referred, refers=refers[:1]), Messages().say) == "As in (a), step 1."

@@ -15,7 +15,7 @@ from solver.papers.export.quiz import Block, Content, Heading, Picture, Text
 from solver.problem.images import Image
 from solver.problem.model import Part, Problem
 from solver.render import pictures
-from solver.render.pointing import agreeing, noting, picturing, referring
+from solver.render.pointing import agreeing, noting, picturing, referring, unlinked
 from solver.render.prose import plain
 from solver.words import Phrase
 
@@ -89,7 +89,7 @@ def _steps(steps: Sequence[WorkStep], level: int, document: Document, *, numbere
     say = document.messages.say
     for number, step in enumerate(steps, 1):
         yield Heading(f"{number}. {step.title}" if numbered else step.title, level)
-        yield from _texts(referring(step, say) if step.refers else "", step.markdown)
+        yield from _texts(referring(step, say) if step.refers else "", unlinked(step.markdown))
         yield from (Text(picturing(each, say)) for each in step.pictured)
         yield from map(_picture, step.figures)
         yield from _steps(step.steps, level + 1, document, numbered=False)
