@@ -28,11 +28,14 @@ def title_of(part: Part, task: Task[Any, Any], say: Say) -> str:
     return say(Phrase("{title} of the closed loop", title=title)) if closed else title
 
 
-def method_title(part: Part, task: Task[Any, Any], method: str, told: Presentation, say: Say) -> str:
-    """Return the title of the method; on a paper those of all that the file names, if they may be said."""
+def method_title(part: Part, task: Task[Any, Any], method: str, told: Presentation, say: Say, title: str) -> str:
+    """Return the title of the method, that of the part if it has none of its own.
+
+    On a paper it is those of all that the file names, if they may be said.
+    """
     if not told.is_paper:
-        title = task.method_named(method, part.options).title
-        return title_of(part, task, say) if title == task.title else say(title)
+        own = task.method_named(method, part.options).title
+        return title if own == task.title else say(own)
     titles = dict.fromkeys(say(task.method_named(name, part.options).title) for name in part.methods)
     return ", ".join(titles) if part.names_methods else ""
 

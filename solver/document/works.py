@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -16,7 +17,8 @@ from solver.displayed import judged
 from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
-from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of, title_of
+from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of
+from solver.document.titles import titles_of
 from solver.document.values import as_written, functions_of, numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution, resolved, solve_problem
 from solver.problem.asked import asked_of, marks_shown
@@ -62,6 +64,11 @@ class Writer:
         self.parts = {part.id: part for part in problem.parts}
         self.labels = problem.labels
         self.any_marks = any(part.marks is not None for part in problem.parts)
+
+    @cached_property
+    def titles(self) -> Mapping[str, str]:
+        """The titles of the parts, which tell them apart."""
+        return titles_of(self.problem, lambda part: self._wording(self._display(part, {})), self.labels)
 
     def document(
         self, works: Iterable[Work], name: str = "", exact: Callable[[], Mapping[str, Answers]] = dict
@@ -124,8 +131,8 @@ class Writer:
             id=result.id,
             task=result.task,
             method=result.method,
-            title=title_of(part, task, wording.say),
-            method_title=method_title(*asking),
+            title=self.titles[part.id],
+            method_title=method_title(*asking, self.titles[part.id]),
             source=source_of(*asking),
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
             question=question_of(part, task, wording, labels),
