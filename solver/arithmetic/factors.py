@@ -24,6 +24,18 @@ def factors_multiplied(x: Symbol, roots: Sequence[Expr]) -> tuple[Step, ...]:
     return tuple(_factors_multiplied(x, roots))
 
 
+@where_exact
+def one_after_the_other(x: Symbol, factors: Sequence[Sequence[Expr]]) -> tuple[Step, ...]:
+    """Polynomials in x, each by its coefficients from the highest power on, multiplied; none for less than three."""
+    return tuple(_in_turn(x, factors)) if len(factors) > 2 or any(len(each) > 2 for each in factors[1:]) else ()
+
+
+@lemma("arithmetic/factors")
+def _in_turn(x: Symbol, factors: Sequence[Sequence[Expr]]) -> Derivation[None]:
+    first, *others = factors
+    yield _one_after_the_other(x, first, others)
+
+
 @lemma("arithmetic/factors")
 def _factors_multiplied(x: Symbol, roots: Sequence[Expr]) -> Derivation[None]:
     pairs, others = exact.conjugate_pairs(roots)

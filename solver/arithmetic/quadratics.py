@@ -69,3 +69,18 @@ def _roots_of_squares(x: Expr, squares: Sequence[Expr], roots: Sequence[Expr]) -
             y=y,
             roots=[first, *others],
         )
+
+
+@where_exact
+def both_roots(x: Expr, polynomial: Expr) -> tuple[Step, ...]:
+    """The real roots of a quadratic polynomial in numbers, in decimals where they are irrational; else nothing."""
+    p = sp.Poly(polynomial, x)
+    if p.degree() != 2 or p.free_symbols_in_domain:
+        return ()
+    _, b, c = p.monic().all_coeffs()
+    radicand = b**2 / 4 - c
+    if b == 0 or not radicand.is_positive:
+        return ()
+    root = sp.sqrt(radicand)
+    roots = [-b / 2 + root, -b / 2 - root] if root.is_Rational else [sp.N(-b / 2 + sign * root, 30) for sign in (1, -1)]
+    return tuple(_quadratic_formula(x, b, c, roots))

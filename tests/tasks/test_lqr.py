@@ -414,7 +414,7 @@ def test_the_polynomial_of_a_small_hamiltonian_matrix_is_expanded_row_by_row(met
     """As on paper at `tutor`: the entries of a row times their minors, each minor worked out; verified as claims."""
     part = ask("lqr", UNSTABLE, method, **ASKED)
     (step,) = [each for each in part.steps if each.kind == kind]
-    assert [each.kind for each in step.steps] == ["expansion", "minor"]
+    assert [each.kind for each in step.steps] == ["expansion", "minor", "squares"]
     assert {each.detail for each in step.steps} == {"tutor"}
     s = sp.Symbol("s")
     assert sp.expand(step.claims["chi"].right - (s**4 - 2 * s**2 + 1)) == 0

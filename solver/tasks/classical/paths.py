@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from solver.arithmetic.roots import roots_found
 from solver.derivation import Claim, Derivation, Given, Step, Unsolved, lemma
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
@@ -115,7 +116,8 @@ def poles_of(path: Path) -> Derivation[list[Expr]]:
     factors = exact.pole_factors(path.fraction)
     if factors != path.bottom:
         claims["factors"] = Claim(path.bottom, factors, "factors of the denominator")
-    yield Step("poles", claims=claims, x=x, poles=poles, bottom=path.bottom, lead=path.shown[1] != path.bottom)
+    yield Step("poles", claims=claims, steps=roots_found(path.bottom, poles, x), x=x, poles=poles, bottom=path.bottom,
+               lead=path.shown[1] != path.bottom)  # fmt: skip
     return poles
 
 

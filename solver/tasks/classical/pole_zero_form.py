@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.roots import roots_found
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -63,9 +64,11 @@ def by_the_roots(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
     yield Step("gain", claims={"gain": Claim(quotient(*leads), form.gain, "gain")}, x=x, shown=path.shown,
                leads=leads, late=path.delay != 0)  # fmt: skip
     zeros = _roots(path.top / form.gain, form.top, form.zeros, x)
-    yield Step("numerator", claims=zeros, unclaimed=_constant(zeros), x=x, **_shown(form.zeros))
+    yield Step("numerator", claims=zeros, unclaimed=_constant(zeros), x=x,
+               steps=roots_found(path.top, form.zeros, x), **_shown(form.zeros))  # fmt: skip
     poles = _roots(path.bottom, form.bottom, form.poles, x)
-    yield Step("denominator", claims=poles, unclaimed=_constant(poles), x=x, **_shown(form.poles))
+    yield Step("denominator", claims=poles, unclaimed=_constant(poles), x=x,
+               steps=roots_found(path.bottom, form.poles, x), **_shown(form.poles))  # fmt: skip
     yield _whole(path, form)
     G = sp.exp(-path.delay * x) * form.function if path.delay != 0 else form.function
     return Answers(G=G, zeros=form.zeros, poles=form.poles, gain=form.gain)

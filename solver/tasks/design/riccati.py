@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from solver.arithmetic.determinants import worked_out
 from solver.arithmetic.products import polynomial_of as polynomial_of_matrix
+from solver.arithmetic.roots import factored
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -38,6 +39,8 @@ def hamiltonian_step(problem: Regulator, equation: exact.Riccati) -> Step:
     if sp.expand(factors) == chi and factors != chi:
         claims["factors"] = Claim(chi, factors, "its factors")
     lines = worked_out(r"\det(sI - H)", exact.pencil(equation.H, s), chi, s) if n <= LARGEST else ()
+    if "factors" in claims:
+        lines += factored(chi, factors, s)
     return Step("hamiltonian", claims=claims, steps=lines, H=equation.H, n=n, chi=chi, **problem.names)
 
 

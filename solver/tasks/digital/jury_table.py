@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.roots import values_at
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -54,7 +55,8 @@ def necessary_conditions(coefficients: Sequence[Expr], z: Symbol) -> Derivation[
         "at_minus_one": Claim(product(sign, at_minus_one) if n % 2 else at_minus_one, found.at_minus_one, "$p(-1)$"),
     }
     known = [exact.sign_of(each) for each in (found.at_one, found.at_minus_one)]
-    yield Step("necessary", claims=claims, p=p, z=z, n=n, odd=n % 2 == 1, known=known,
+    lines = values_at(p, z, [sp.S.One, sp.S.NegativeOne])
+    yield Step("necessary", claims=claims, steps=lines, p=p, z=z, n=n, odd=n % 2 == 1, known=known,
                ends=comparison(0, coefficients[::-1]))  # fmt: skip
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.factors import one_after_the_other
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -80,7 +81,7 @@ def by_the_exponential(given: Given[StateSpace, PoleMappingOptions]) -> Derivati
     yield Step(
         "polynomial",
         claims={"p": Claim(product(*shown), polynomial, Phrase("the polynomial"))},
-        unclaimed="",
+        steps=one_after_the_other(z, [sp.Poly(each, z).all_coeffs() for each in shown]),
         factors=product(*shown),
         several=len(shown) > 1,
         polynomial=polynomial,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Literal
 
-from solver.arithmetic import determinants
+from solver.arithmetic import determinants, roots
 from solver.arithmetic.products import is_worked_out, rows_times_columns
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric
@@ -128,7 +128,8 @@ def factors_of(A: ImmutableMatrix, x: Symbol) -> Derivation[None]:
     """The irreducible factors of χ(x); no step where it has but one."""
     chi, factored = exact.faddeev_leverrier(A).characteristic_polynomial(x), exact.factored(A, x)
     if factored != chi:
-        yield Step("factors", claims={"factors": Claim(chi, factored, "factors of the characteristic polynomial")}, x=x)
+        claims = {"factors": Claim(chi, factored, "factors of the characteristic polynomial")}
+        yield Step("factors", claims=claims, steps=roots.factored(chi, factored, x), x=x)
 
 
 def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.determinants import worked_out
+from solver.arithmetic.roots import factored
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -59,6 +60,8 @@ def _matrix(asked: HorizonQuestion, found: exact.FiniteHorizon, *, canonical: bo
         claims["factors"] = Claim(chi, factors, "its factors")
     roots = exact.spectrum(found.H).eigenvalues
     lines = worked_out(r"\det(sI - H)", exact.pencil(found.H, s), chi, s) if n <= SHOWN else ()
+    if "factors" in claims:
+        lines += factored(chi, factors, s)
     return Step("matrix", claims=claims, steps=lines, H=found.H, n=n, roots=roots, canonical=canonical,
                 weighed=bool(asked.weight), factor=asked.factor)  # fmt: skip
 
