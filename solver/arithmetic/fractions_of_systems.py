@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.determinants import worked_out
 from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.inverses import LARGEST, cofactors
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -37,6 +38,7 @@ def _fraction_multiplied_out(
     column = sp.ImmutableMatrix((adj * B).applyfunc(sp.expand))
     through = [product(D, chi)] if D[0] != 0 else []
     numerator = sp.expand((C * column)[0] + D[0] * chi)
+    yield from worked_out(rf"\det({x}I - F)", pencil, chi, x)
     yield from cofactors(pencil, adj)
     yield Step(
         "fraction",

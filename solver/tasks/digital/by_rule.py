@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.inverses import inverted
+from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.figures import Curve, Mark, Plot
 from solver.lazy import exact
@@ -35,9 +37,11 @@ def mapped_plant_of(plant: StateSpace, name: str, T: Expr, prewarp: Expr | None)
     if found.inverted is not None:
         pencil = sp.ImmutableMatrix(identity - h * A)
         claims = {"inverse": Claim(inverse(pencil), found.inverted, "the inverse")}
-        yield Step("inverse", claims=claims, h=h, pencil=pencil, n=A.rows)
-    yield Step("matrices", claims=_matrix_claims(plant, found, name, h), name=name, T=T, h=h, plain=prewarp is None,
-               found=found, direct=found.D is not None and not found.D.is_zero_matrix)  # fmt: skip
+        lines = inverted("(I - hA)", pencil, found.inverted)
+        yield Step("inverse", claims=claims, steps=lines, h=h, pencil=pencil, n=A.rows)
+    yield Step("matrices", claims=_matrix_claims(plant, found, name, h), steps=_products(plant, found, name, h),
+               name=name, T=T, h=h, plain=prewarp is None, found=found,
+               direct=found.D is not None and not found.D.is_zero_matrix)  # fmt: skip
     yield from stability_by(rule, name, T, exact.spectrum(A).roots, states=True)
     return found.A, found.B, found.C, found.D
 
@@ -60,6 +64,18 @@ def _matrix_claims(plant: StateSpace, found: exact.Mapped, name: str, h: Expr) -
             through = product(C, M, h, B)
             claims["D"] = Claim(through if D.is_zero_matrix else total(D, through), found.D, "feedthrough")
     return claims
+
+
+def _products(plant: StateSpace, found: exact.Mapped, name: str, h: Expr) -> tuple[Step, ...]:
+    """The products with the inverse."""
+    M, B, C = found.inverted, found.B, found.C
+    if M is None:
+        return ()
+    forward = sp.ImmutableMatrix(sp.eye(M.rows) + h * plant.A)
+    lines = multiplied(M, forward, found.A) if name == TUSTIN else ()
+    if plant.B is not None and B is not None:
+        lines += multiplied(M, sp.ImmutableMatrix((2 * h if name == TUSTIN else h) * plant.B), B)
+    return lines if plant.C is None or C is None else lines + multiplied(plant.C, M, C)
 
 
 @lemma("by_rule")

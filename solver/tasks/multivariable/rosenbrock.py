@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import worked_out
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -47,6 +48,7 @@ def zeros_of_system_matrix(matrices: Quadruple, x: Symbol, *, minimal: bool = Fa
         yield Step(
             "determinant",
             claims={"determinant": Claim(determinant(found.matrix), value, r"$\det P$")},
+            steps=worked_out("", found.matrix, found.determinant.as_expr(), x),
             x=x,
             n=n,
             value=value,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.coordinates import in_coordinates
 from solver.arithmetic.inverses import inverted
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
@@ -37,7 +38,7 @@ def companion_coordinates_of(plant: StateSpace, form: str, *, first: bool) -> De
             "B": Claim(product(inverse(T), B), found.B, "$T^{-1} B$"),
             "C": Claim(product(C, T), found.C, "$C T$"),
         },
-        steps=inverted("P", P, exact.inverse(P)),
+        steps=(*inverted("P", P, exact.inverse(P)), *in_coordinates(T, coordinates.T_inverse, A, B, C)),
         T=T,
         T_inverse=coordinates.T_inverse,
         controllable=controllable,

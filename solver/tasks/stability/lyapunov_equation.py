@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from solver.arithmetic.determinants import leading_minors
+from solver.arithmetic.products import multiplied
 from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
@@ -39,6 +40,7 @@ def lyapunov_solution_of(
     yield Step(
         "equation",
         claims={"left": Claim(left_side(A, unknowns.P, dual=dual, discrete=discrete), written, "the left side")},
+        steps=_products(A, unknowns.P, dual=dual, discrete=discrete) if len(unknowns.symbols) <= FEW else (),
         Q=Q,
         P=unknowns.P,
         negative=negative,
@@ -71,6 +73,16 @@ def _elimination(unknowns: exact.Unknowns) -> tuple[Step, ...]:
     coefficients, right = sp.linear_eq_to_matrix(unknowns.equations, unknowns.symbols)
     augmented = sp.ImmutableMatrix(sp.Matrix.hstack(coefficients, right))
     return row_operations(augmented, exact.row_reduction(augmented))
+
+
+def _products(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: bool) -> tuple[Step, ...]:
+    """The product of the left side; in continuous time the other one is its transpose."""
+    left, right = (sp.ImmutableMatrix(M) for M in ((A, A.T) if dual else (A.T, A)))
+    LP = sp.ImmutableMatrix((left * P).applyfunc(sp.expand))
+    lines = multiplied(left, P, LP, "AP" if dual else "A^{T}P")
+    if discrete:
+        lines += multiplied(LP, right, sp.ImmutableMatrix((LP * right).applyfunc(sp.expand)))
+    return lines
 
 
 def left_side(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: bool) -> Stated:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import leading_minors
+from solver.arithmetic.equations import eliminated
 from solver.arithmetic.integrals import integrated
+from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -45,19 +48,28 @@ def infinite_gramian_of(pair: Pair) -> Derivation[ImmutableMatrix]:
         raise Unsolved("gramian/grows_without_bound", outside=outside, discrete=pair.discrete)
     Q = exact.multiply(pair.G, pair.G.T)
     W = exact.lyapunov(pair.F, Q, dual=True, discrete=pair.discrete)
-    yield _equation(pair, Q)
+    asked = _equation(pair, Q)
+    yield asked
     F, Ft = (transpose(pair.A), pair.A) if pair.dual else (pair.A, transpose(pair.A))
     minus = sp.ImmutableMatrix(-Q)
     left = difference(product(F, W, Ft), W) if pair.discrete else total(product(F, W), product(W, Ft))
     yield Step(
         "solution",
         claims={"equation": Claim(left, minus, "Lyapunov equation of the Gramian")},
+        steps=_solved(asked, W),
         W=W,
         dual=pair.dual,
         discrete=pair.discrete,
     )
     yield _definite(pair, W)
     return W
+
+
+def _solved(asked: Step, W: ImmutableMatrix) -> tuple[Step, ...]:
+    """The elimination, where the equations are written out."""
+    n, unknown, equations = W.rows, asked.values["unknown"], asked.values["equations"]
+    places = [(i, j) for i in range(n) for j in range(i, n)]
+    return eliminated(equations, [unknown[at] for at in places], [W[at] for at in places]) if equations else ()
 
 
 def _equation(pair: Pair, Q: ImmutableMatrix) -> Step:
@@ -71,12 +83,22 @@ def _equation(pair: Pair, Q: ImmutableMatrix) -> Step:
     return Step(
         "equation",
         claims={"square": Claim(square, Q, "right side of the Lyapunov equation")},
+        steps=_sides(pair, sp.ImmutableMatrix(unknown)) if len(equations) <= MOST_EQUATIONS else (),
         equations=equations if len(equations) <= MOST_EQUATIONS else [],
         count=len(equations),
         unknown=sp.ImmutableMatrix(unknown),
         dual=pair.dual,
         discrete=pair.discrete,
     )
+
+
+def _sides(pair: Pair, unknown: ImmutableMatrix) -> tuple[Step, ...]:
+    """The products of the left side: of the two that are transposes of each other only one."""
+    FW = sp.ImmutableMatrix((pair.F * unknown).applyfunc(sp.expand))
+    lines = multiplied(pair.F, unknown, FW, "A^{T}W_{o}" if pair.dual else "AW_{c}")
+    if pair.discrete:
+        lines += multiplied(FW, sp.ImmutableMatrix(pair.F.T), sp.ImmutableMatrix((FW * pair.F.T).applyfunc(sp.expand)))
+    return lines
 
 
 def _definite(pair: Pair, W: ImmutableMatrix) -> Step:
@@ -89,7 +111,17 @@ def _definite(pair: Pair, W: ImmutableMatrix) -> Step:
             value = sp.factor(exact.determinant(minor))
             claims[f"minor{k}"] = Claim(determinant(minor), value, Phrase("leading minor {k} of the Gramian", k=k))
     minors = [claims[f"minor{k}"].right for k in range(1, pair.n + 1)] if r == pair.n else []
-    return Step("definite", claims=claims, W=W, minors=minors, r=r, n=pair.n, dual=pair.dual)
+    blocks = [sp.ImmutableMatrix(W[:k, :k]) for k in range(1, len(minors) + 1)]
+    return Step(
+        "definite",
+        claims=claims,
+        steps=leading_minors(blocks, minors),
+        W=W,
+        minors=minors,
+        r=r,
+        n=pair.n,
+        dual=pair.dual,
+    )
 
 
 @lemma("gramian_test")

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.coordinates import in_coordinates
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.figures import Part, Parts
 from solver.lazy import exact
@@ -77,7 +78,8 @@ def _transformed(plant: Any, found: Any, part: str) -> Step:
     if plant.C is not None:
         claims["C"] = Claim(product(plant.C, T), _lined(found.C, (), sizes), "$CT$")
     D = None if plant.D is None or plant.D.is_zero_matrix else plant.D
-    return Step("transformed", claims=claims, part=part, D=D, changes=found.changes)
+    lines = in_coordinates(T, found.T_inverse, plant.A, plant.B, plant.C, inverse_too=False)
+    return Step("transformed", claims=claims, steps=lines, part=part, D=D, changes=found.changes)
 
 
 def _hidden(plant: Any, found: exact.Decomposition, part: str) -> Step:
