@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.frequencies import size_and_angle
 from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -16,7 +17,7 @@ from solver.tasks.figures import plane, roots
 from solver.tasks.frequency.figures import bode_figure
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
 NEAR = 1e-9
 """What decimals leave of the difference of conjugate roots."""
@@ -100,6 +101,7 @@ def _check(
         "check",
         claims=claims,
         unclaimed="" if claims else "there is no crossover",
+        steps=() if crossover is None else _at_the_crossover(C * written(G), G.s, crossover),
         crossover=crossover,
         margin=found.phase_margin,
         asked=_asked(options) if before is not None else {},
@@ -111,6 +113,11 @@ def _check(
         s=G.s,
         figures=pictures,
     )
+
+
+def _at_the_crossover(L: Expr, s: Symbol, crossover: exact.Crossover) -> tuple[Step, ...]:
+    """Size and angle at the crossover, factor by factor."""
+    return size_and_angle(L, s, sp.I * crossover.omega, sp.S.One, crossover.phase)
 
 
 def _pair(G: exact.Plant, loop: exact.Compensated, options: CompensatorOptions) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.frequencies import size_and_angle
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -42,7 +43,8 @@ def lag_in_attempts(G: exact.Plant, K: Expr, options: CompensatorOptions) -> Der
         "size": Claim(absolute(at), last.size, "the magnitude there"),
         "T": Claim(quotient(sp.Integer(10), last.omega), sp.N(10 / last.omega, 30), "T"),
     }
-    yield Step("section", claims=claims, round=last, several=len(found.rounds) > 1, T=last.section.T,
+    lines = size_and_angle(L, G.s, sp.I * last.omega, last.size, sp.N(_principal(last.phase), 30))
+    yield Step("section", claims=claims, steps=lines, round=last, several=len(found.rounds) > 1, T=last.section.T,
                alpha=last.section.alpha)  # fmt: skip
     return last.loop
 
@@ -70,6 +72,7 @@ def lag_for_a_crossover(G: exact.Plant, K: Expr, options: CompensatorOptions) ->
         "phase": Claim(phase(at), sp.N(_principal(found.angle), 30), "the phase there"),
         "T": Claim(quotient(sp.Integer(found.below), omega), sp.Integer(found.below) / omega, "T"),
     }
-    yield Step("crossing", claims=claims, found=found, omega=omega, T=found.section.T, a=a, exactly=alpha,
+    lines = size_and_angle(written(G, K), G.s, sp.I * omega, found.size, claims["phase"].right)
+    yield Step("crossing", claims=claims, steps=lines, found=found, omega=omega, T=found.section.T, a=a, exactly=alpha,
                alpha=found.section.alpha, below=sp.Integer(found.below))  # fmt: skip
     return found.loop

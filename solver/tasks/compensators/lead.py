@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.frequencies import size_and_angle
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -65,7 +66,8 @@ def _section(G: exact.Plant, K: Expr, last: exact.LeadRound, found: exact.LeadDe
         "size": Claim(size, sp.sqrt(last.alpha), "the magnitude there"),
         "T": Claim(quotient(sp.Integer(1), product(last.omega, sp.sqrt(last.alpha))), T, "T"),
     }
-    return Step("section", claims=claims, round=last, several=len(found.rounds) > 1, alpha=last.alpha,
+    lines = size_and_angle(written(G, K), G.s, sp.I * last.omega, sp.sqrt(last.alpha))
+    return Step("section", claims=claims, steps=lines, round=last, several=len(found.rounds) > 1, alpha=last.alpha,
                 T=last.section.T)  # fmt: skip
 
 
@@ -118,7 +120,9 @@ def at_crossover(G: exact.Plant, K: Expr, found: exact.LeadAt, wanted: Expr, ext
             quotient(difference(product(found.M, cosine), sp.Integer(1)), product(found.M, sine)), found.pole, "ωαT"
         ),
     }
-    return Step("crossing", claims=claims, found=found, T=found.section.T, alpha=found.section.alpha,
+    principal = found.angle - 360 * sp.ceiling((found.angle - 180) / 360)
+    lines = size_and_angle(written(G, K), G.s, sp.I * found.omega, size, sp.N(principal, 30))
+    return Step("crossing", claims=claims, steps=lines, found=found, T=found.section.T, alpha=found.section.alpha,
                 exactly=sp.Abs(found.phase - found.needed) < sp.Float("1e-9"))  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.frequencies import size_and_angle
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -35,7 +36,8 @@ def both_in_attempts(G: exact.Plant, K: Expr, options: CompensatorOptions) -> De
         "size": Claim(absolute(at), found.size, "the magnitude there"),
         "phase": Claim(phase(at), principal, "the phase there"),
     }
-    yield Step("crossover", claims=claims, found=found, given=options.crossover is not None)
+    lines = size_and_angle(written(G, K), G.s, sp.I * found.omega, found.size, principal)
+    yield Step("crossover", claims=claims, steps=lines, found=found, given=options.crossover is not None)
     if found.rounds:
         claims = {
             f"phase{i}": Claim(
@@ -62,4 +64,5 @@ def _sections(G: exact.Plant, K: Expr, found: exact.LeadLagDesign) -> Step:
         "size": Claim(absolute(value_at(inner, s, sp.I * omega)), last.size, "the magnitude with the lead"),
         "T2": Claim(quotient(sp.Integer(10), omega), sp.Integer(10) / omega, "T of the lag"),
     }
-    return Step("sections", claims=claims, round=last, omega=omega, several=len(found.rounds) > 1)
+    lines = size_and_angle((lead.T * s + 1) / (lead.alpha * lead.T * s + 1) * written(G, K), s, sp.I * omega, last.size)
+    return Step("sections", claims=claims, steps=lines, round=last, omega=omega, several=len(found.rounds) > 1)

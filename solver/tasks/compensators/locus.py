@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.frequencies import size_and_angle
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -56,7 +57,7 @@ def _angle(G: exact.Plant, at: exact.AtThePoint) -> Step:
         "angle": Claim(phase(there), at.angle, "its angle"),
         "missing": Claim(difference(turn, at.angle), at.missing, "the angle that is missing"),
     }
-    return Step("angle", claims=claims, at=at, s=G.s)
+    return Step("angle", claims=claims, steps=size_and_angle(written(G), G.s, at.point, None, at.angle), at=at, s=G.s)
 
 
 def _magnitude(G: exact.Plant, at: exact.AtThePoint, sections: list[exact.Section], gain: Expr, K: Expr) -> Step:
@@ -69,7 +70,9 @@ def _magnitude(G: exact.Plant, at: exact.AtThePoint, sections: list[exact.Sectio
         "size": Claim(absolute(value_at(inner, s, at.point)), size, "the magnitude at the pole"),
         "K": Claim(quotient(sp.Integer(1), size), gain, "K"),
     }
-    return Step("magnitude", claims=claims, at=at, K=K, alone=not sections)
+    whole = sp.Mul(written(G), *((each.T * s + 1) / (each.alpha * each.T * s + 1) for each in sections))
+    lines = size_and_angle(whole, s, at.point, size)
+    return Step("magnitude", claims=claims, steps=lines, at=at, K=K, alone=not sections)
 
 
 @lemma("locus_design")

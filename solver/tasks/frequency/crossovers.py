@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.frequencies import size_and_angle
+from solver.arithmetic.quadratics import both_roots
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -109,8 +111,9 @@ def _gain_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
         claims["sample"] = Claim(absolute(at), L.magnitude(sample), "the size of $L$ at one frequency")
     roots = [{"square": each.square, "omega": each.omega, "near": approximation(each.omega)} for each in gains.found]
     sizes = [each.as_expr().subs(w, L.place(omega)) for each in (L.parts.above, L.parts.below)]
-    return Step("gain_crossovers", claims=claims, p=p, w=w, sizes=sizes, roots=roots, sample=sample,
-                discrete=L.discrete, T=L.sample_time, constant=not p.has(w),
+    return Step("gain_crossovers", claims=claims, steps=both_roots(w, p), p=p, w=w, sizes=sizes, roots=roots,
+                sample=sample, discrete=L.discrete, T=L.sample_time, constant=not p.has(w),
+                numerically=bool(sp.degree(p, w) > 2),
                 below=sample is not None and bool(L.magnitude(sample) < 1))  # fmt: skip
 
 
@@ -196,11 +199,21 @@ def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: b
     if start is not None:
         claims["start"] = Claim(value_at(formula_of(L), s, L.point(sp.S.Zero)), -start.magnitude, "$L(0)$")
     kind = "real_axis" if every else "phase_crossovers"
-    return Step(kind, claims=claims, roots=roots, p=shown_polynomial(p) if not p.is_zero else sp.S.Zero, w=w,
+    shown = shown_polynomial(p) if not p.is_zero else sp.S.Zero
+    return Step(kind, claims=claims, steps=both_roots(w, shown) + _values(L, found), roots=roots, p=shown, w=w,
                 imaginary=imaginary, everywhere=found.everywhere, start=start, crossing=list(found.found),
                 moves=bool(p.degree() > 0), discrete=L.discrete, T=L.sample_time, above=parts["N"],
                 conjugate=parts["D"].subs(sp.I, -sp.I),
                 inner=sum(not row["end"] for row in roots))  # fmt: skip
+
+
+def _values(L: exact.OnAxis, found: exact.PhaseCrossovers) -> tuple[Step, ...]:
+    """The size of L where it is real, factor by factor."""
+    lines: tuple[Step, ...] = ()
+    for at, value in found.real_axis:
+        if not at.free_symbols and value != 0:
+            lines += size_and_angle(formula_of(L), L.variable, L.point(at), abs(value))
+    return lines
 
 
 def _late_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: bool = False) -> Step:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.frequencies import size_and_angle, slope_of
+from solver.arithmetic.quadratics import both_roots
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -258,10 +260,14 @@ def _resonance(T: exact.OnAxis, found: exact.Resonance) -> Step:
         at = value_at(formula_of(T), T.variable, T.point(peak.omega))
         claims["peak"] = Claim(absolute(at), peak.magnitude, "the largest magnitude")
         claims["phase"] = Claim(phase(at), peak.phase, "the phase there")
+    lines = slope_of(T.parts.above.as_expr(), T.parts.below.as_expr(), w) if p.degree() > 0 else ()
+    lines += both_roots(w, shown)
+    if peak is not None:
+        lines += size_and_angle(formula_of(T), T.variable, T.point(peak.omega), peak.magnitude, peak.phase)
     rows = [(each, approximation(each), T.magnitude(each)) for each in found.stationary]
     square = (T.parts.above.as_expr() / T.parts.below.as_expr()) if T.parts.above.degree() > 0 else None
     return Step("resonance", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
-                rows=rows, peak=peak, moves=p.degree() > 0, square=square, start=T.magnitude(sp.S.Zero),
+                steps=lines, rows=rows, peak=peak, moves=p.degree() > 0, square=square, start=T.magnitude(sp.S.Zero),
                 root=T.place(peak.omega) if peak else None, discrete=T.discrete, period=T.sample_time,
                 end=None if T.end is None else T.magnitude(T.end.omega), at_end=peak is not None and peak.end,
                 near_omega=approximation(peak.omega) if peak else None,
@@ -278,6 +284,7 @@ def _bandwidth(T: exact.OnAxis, band: exact.Bandwidth) -> Step:
         claims["root"] = Claim(value_at(shown, w, T.place(band.omega)), sp.S.Zero, says)
         claims["level"] = Claim(absolute(at), band.level, "the magnitude there")
     return Step("bandwidth", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
+                steps=both_roots(w, shown),
                 omega=band.omega, root=T.place(band.omega) if band.omega is not None else None, discrete=T.discrete,
                 period=T.sample_time,
                 near=approximation(band.omega) if band.omega is not None else None, level=band.level)  # fmt: skip
