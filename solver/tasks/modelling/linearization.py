@@ -25,6 +25,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.options.point import PointOf
+from solver.stated.algebra import quotient as over
 from solver.stated.calculus import partial_derivative, value_at
 from solver.tasks.figures import motion
 from solver.tasks.modelling import linearization_mistakes
@@ -132,6 +133,8 @@ class Entry:
     place: str
     partial: exact.Partial
     function: Expr
+    at: Any = ""
+    """Numerator over denominator at the point, where the value is a fraction that has to be worked out."""
 
 
 def _entries(
@@ -147,7 +150,7 @@ def _entries(
         name, number, letters = ("f", i + 1, "ab") if i < n else ("h", i - n + 1, "cd")
         if quotient.function in variables:
             continue
-        taken = list(_of_row(quotient, row, variables, (name, number, letters, n)))
+        taken = list(_of_row(quotient, row, variables, (name, number, letters, n), values))
         if any(each.partial.of_numerator for each in taken):
             split.append((f"{name}_{{{number}}}", number))
         shown += taken
@@ -166,13 +169,25 @@ def _of_row(
     row: Sequence[exact.Partial],
     variables: Sequence[Symbol],
     named: tuple[str, int, str, int],
+    values: Mapping[Symbol, Expr],
 ) -> Iterator[Entry]:
     name, number, letters, n = named
     for j, (x, partial) in enumerate(zip(variables, row, strict=True)):
         if partial.formula != 0:
             letter, column = (letters[0], j + 1) if j < n else (letters[1], j - n + 1)
             function = quotient.numerator if partial.of_numerator else quotient.function
-            yield Entry(f"{name}_{{{number}}}", x, f"{letter}_{{{number}{column}}}", partial, function)
+            place = f"{letter}_{{{number}{column}}}"
+            yield Entry(f"{name}_{{{number}}}", x, place, partial, function, _fraction(partial, values))
+
+
+def _fraction(partial: exact.Partial, values: Mapping[Symbol, Expr]) -> Any:
+    """The numbers put into numerator and denominator, where both are needed."""
+    above, below = partial.above, partial.below
+    if not partial.of_numerator:
+        above, below = (exact.put_in(part, values) for part in sp.fraction(partial.formula))
+    if below.could_extract_minus_sign():
+        above, below = -above, -below
+    return "" if below == 1 or above == 0 or above / below == partial.formula else over(above, below)
 
 
 def _at(stated: Any, function: Expr, values: Mapping[Symbol, Expr]) -> Any:
