@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import pairwise
+from math import dist, hypot
 
 from solver.derivation.figures import Chains, Component, DrawnCurve, DrawnPlot, Parts, Plane, Schematic
 from solver.derivation.flow_figures import FlowGraph
@@ -96,9 +98,34 @@ def _where(each: Placed, say: Say, *, discrete: bool) -> str:
 
 
 def of_chains(figure: Chains, say: Say) -> str:
-    """Tell which state follows which in each chain."""
+    """Tell which state follows which in each chain, and what goes into each integrator and into the output."""
     rows = (" → ".join(text_of(f"x_{{{state + 1}}}") for state in states) for states in figure.rows)
-    return sentences(say(Phrase("chain: {states}", states=states)) for states in rows)
+    told = [say(Phrase("chain: {states}", states=states)) for states in rows]
+    states = [f"x_{{{i + 1}}}" for i in range(len(figure.A))]
+    for name, row, drive in zip(states, figure.A, figure.b, strict=True):
+        terms = _weighted([*zip(row, states, strict=True), (drive, "u")])
+        into = {"name": text_of(name), "terms": terms}
+        delay = Phrase("what enters the delay of {name}: {terms}", **into)
+        told.append(say(delay if figure.discrete else Phrase("what enters the integrator of {name}: {terms}", **into)))
+    output = _weighted([*zip(figure.c, states, strict=True), (figure.d, "u")])
+    return sentences([*told, say(Phrase("output: {terms}", terms=output))])
+
+
+def _weighted(terms: Sequence[tuple[str, str]]) -> str:
+    """A sum of signals with their gains."""
+    found = ""
+    for gain, signal in terms:
+        if not gain:
+            continue
+        text = text_of(gain)
+        minus = text[:1] in "-−"
+        size = text[1:].lstrip() if minus else text
+        if " " in size:
+            text, minus = f"({text})", False
+            size = text
+        sign = (" − " if minus else " + ") if found else ("−" if minus else "")
+        found += sign + ("" if size == "1" else size) + text_of(signal)
+    return found or "0"
 
 
 def of_parts(figure: Parts, say: Say) -> str:
@@ -153,13 +180,19 @@ def of_diagram(layout: Layout, say: Say) -> str:
 
 def of_plot(plot: DrawnPlot, say: Say) -> str:
     """Tell of each curve where it begins and ends, and its largest and smallest value if they lie between."""
-    told = [_curve(each, plot, say) for each in plot.curves if each.style not in BESIDE and each.x]
+    curves = [each for each in plot.curves if each.style not in BESIDE and each.x]
+    unnamed = [each for each in curves if not each.label]
+    told = [_curve(each, plot, say) for each in curves if not _many(unnamed) or each.label]
+    if _many(unnamed):
+        told.append(_paths(unnamed, say))
     return sentences([*told, *_guides(plot.curves, say)])
 
 
 def _curve(each: DrawnCurve, plot: DrawnPlot, say: Say) -> str:
     letter = text_of(plot.x_label) or "x"
     name = text_of(each.label or plot.y_label)
+    if _turns_back(each):
+        return _path(each, name, say)
     ends = {
         "name": name, "letter": letter, "start": number_text(each.x[0]), "stop": number_text(each.x[-1]),
         "first": number_text(each.y[0]), "last": number_text(each.y[-1]),
@@ -174,6 +207,44 @@ def _curve(each: DrawnCurve, plot: DrawnPlot, say: Say) -> str:
     return text
 
 
+def _many(unnamed: Sequence[DrawnCurve]) -> bool:
+    """Whether there are paths that are told together."""
+    return len(unnamed) > 2
+
+
+def _paths(unnamed: Sequence[DrawnCurve], say: Say) -> str:
+    """Paths without names by where they begin, and whether they come nearer to the origin."""
+    starts = ", ".join(f"({number_text(each.x[0])}, {number_text(each.y[0])})" for each in unnamed)
+    away = [hypot(each.x[-1], each.y[-1]) / (hypot(each.x[0], each.y[0]) or 1) for each in unnamed]
+    text = say(Phrase("{count} paths, from {starts}", count=len(unnamed), starts=starts))
+    if all(each < 0.5 for each in away):
+        return text + "; " + say("all of them come nearer to the origin")
+    return text + "; " + say("all of them go away from it") if all(each > 2 for each in away) else text
+
+
+def _turns_back(each: DrawnCurve) -> bool:
+    """Whether x goes both ways, as on a path in a plane."""
+    steps = [b - a for a, b in pairwise(each.x)]
+    size = max(each.x) - min(each.x)
+    return min(steps, default=0) < -0.01 * size and max(steps, default=0) > 0.01 * size
+
+
+def _path(each: DrawnCurve, name: str, say: Say) -> str:
+    """A closed path by what it encloses, another by its ends."""
+    ends = [(each.x[i], each.y[i]) for i in (0, -1)]
+    size = max(max(each.x) - min(each.x), max(each.y) - min(each.y))
+    if dist(*ends) < 0.01 * size:
+        sides = {
+            "left": number_text(min(each.x)), "right": number_text(max(each.x)),
+            "low": number_text(min(each.y)), "high": number_text(max(each.y)),
+        }  # fmt: skip
+        return say(
+            Phrase("{name} is closed, from {left} to {right} across and from {low} to {high} up", name=name, **sides)
+        )
+    first, last = (f"({number_text(x)}, {number_text(y)})" for x, y in ends)
+    return say(Phrase("{name} leads from {first} to {last}", name=name, first=first, last=last))
+
+
 def _guides(curves: Iterable[DrawnCurve], say: Say) -> Iterator[str]:
     for each in curves:
         if each.style == "guide" and each.label and each.x:
@@ -184,4 +255,10 @@ def _guides(curves: Iterable[DrawnCurve], say: Say) -> Iterator[str]:
 
 def sentences(texts: Iterable[str]) -> str:
     """Return texts as sentences, each with a capital letter."""
-    return ". ".join(text[:1].upper() + text[1:] if text[1:2].isalpha() else text for text in texts if text) + "."
+    return ". ".join(_begun(text) for text in texts if text) + "."
+
+
+def _begun(text: str) -> str:
+    """A sentence with a capital letter, unless it begins with a symbol."""
+    word = text.split(" ", 1)[0]
+    return text[:1].upper() + text[1:] if len(word) > 1 and word.strip(":,;.").isascii() and word[1].isalpha() else text

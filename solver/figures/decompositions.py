@@ -32,7 +32,7 @@ def layout_of(figure: Parts) -> Layout:
 
 
 def _modes(part: Part) -> str:
-    values = r",\ ".join(part.modes)
+    values = r",\ ".join(f"{{{mode}}}" for mode in part.modes)  # a minus after the comma is a sign
     return rf"\lambda = {values}"
 
 

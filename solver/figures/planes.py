@@ -155,8 +155,9 @@ def _region(limits: Limits | None, window: Window, say: Callable[[str], str]) ->
         slope = sqrt(1 - min(limits.damping, 1.0) ** 2) / limits.damping
         reach = min(-left, high / slope) if slope else -left
         label = rf"{say(ZETA)} = {limits.damping:.3g}"
-        for sign, text in ((1, label), (-1, "")):
-            yield DrawnCurve(text, "guide", (0.0, -reach), (0.0, sign * slope * reach))
+        for sign in (1, -1):
+            yield DrawnCurve("", "guide", (0.0, -reach), (0.0, sign * slope * reach))
+        yield DrawnCurve(label, "guide", (-reach / 2,), (slope * reach / 2,))  # half way, clear of the other lines
     if limits.decay:
         yield DrawnCurve(rf"\sigma = {limits.decay:.3g}", "guide", (-limits.decay,) * 2, (high, low))
     if limits.radius:
