@@ -9,7 +9,7 @@ import sympy as sp
 
 from solver.classroom.reading import counts, polynomials, units, words
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.items import as_differences, items_of, matrices_of, placed, unlabelled
+from solver.classroom.reading.items import as_differences, items_of, matrices_of, placed, unlabelled, without_dots
 from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
@@ -149,7 +149,7 @@ class KindReader:
             node = SequenceNode(node.place, tuple(ScalarNode(node.place, text, "quoted") for text in each))
         if isinstance(node, ScalarNode) and (bare := units.inside(node.text, self.texts.unit)) != node.text:
             node = ScalarNode(node.place, bare, "quoted")
-        node = self._unfolded(node, grid=grid)
+        node = self._unfolded(without_dots(node) if self.expected.continued else node, grid=grid)
         if isinstance(node, MappingNode):
             node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
         items = items_of(node, self.texts)
@@ -181,6 +181,8 @@ class KindReader:
         return [ScalarNode(item.place, text, "quoted") for item, text in zip(items, found, strict=True)]
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
+        if lower(node) in words.NONE and self.expected.name == "D" and 0 not in ours.shape:  # nothing goes through
+            return (sp.ImmutableMatrix(sp.zeros(*ours.shape)),) * 2
         if lower(node) in words.NONE:
             if ours.cols and not self.expected.vectors and self.expected.name in ("A", "B", "C", "D"):
                 raise node.fault("a matrix is expected here")
@@ -261,6 +263,7 @@ class KindReader:
             value, form = (polynomials.of_coefficients([pair[i] for pair in pairs], variable) for i in (0, 1))
             return value, form
         read = self.texts.expression(node)
+        read = self._renamed(read, polynomials.with_positive_powers(read, variable, sp.degree(ours, variable)))
         return self._renamed(read, polynomials.in_variable(read, variable, self._known))
 
     @property

@@ -46,6 +46,8 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\bis(?=\s+between\b)|\bist(?=\s+zwischen\b)|\blies(?=\s+between\b)", ""),
         (rf"\bbetween\s+({_NUMBER})\s+and\s+({_NUMBER})\s*,?\s*{_OPEN}", r"∈ (\1, \2)"),
         (rf"\bbetween\s+({_NUMBER})\s+and\s+({_NUMBER})\s*,?\s*{_CLOSED}", r"∈ [\1, \2]"),
+        (rf"(?<=\w)\s+(?:from|von)\s+({_NUMBER})\s*(?:to|bis)\s*({_NUMBER})\s*,?\s*{_OPEN}", r" ∈ (\1, \2)"),
+        (rf"(?<=\w)\s+(?:from|von)\s+({_NUMBER})\s*(?:to|bis)\s*({_NUMBER})\s*,?\s*{_CLOSED}", r" ∈ [\1, \2]"),
         (rf"(?:\bfrom\s+)?({_NUMBER})\s*(?:to|bis|\.\.|…)\s*({_NUMBER})\s*,?\s*{_OPEN}", r"(\1, \2)"),
         (rf"(?:\bfrom\s+)?({_NUMBER})\s*(?:to|bis|\.\.|…)\s*({_NUMBER})\s*,?\s*{_CLOSED}", r"[\1, \2]"),
         (r"\b(?:is\s+|ist\s+)?(?:non-?\s?negative|nicht ?negativ)\b", ">= 0"),

@@ -22,6 +22,15 @@ _OUT_OF = re.compile(
 """Less than the full number: 2 < 3, rank 2 of 3."""
 _HENCE = re.compile(r"\s*(\w+ .+?)\s*[,;]\s*(?:so|hence|thus|also|daher)\s+(\w+)\s*$")
 _EQUALLY = re.compile(r"\s*(\d{1,3})\s*=\s*n\s*$")
+_TIMES = {"once": "one", "twice": "two", "einmal": "eins", "zweimal": "zwei"}
+_TURNS = re.compile(
+    r"\s*(\w+)\s*(?:times?|mal|encirclements?|turns?|umläufe?|umrundung(?:en)?)?[\s,(]+(?:in (?:the )?)?"
+    r"(?:(c(?:ounter)?[- ]?c(?:lock)?[- ]?w(?:ise)?|counter[- ]?clockwise|anti[- ]?clockwise|gegen den uhrzeigersinn)"
+    r"|c(?:lock)?[- ]?w(?:ise)?|im uhrzeigersinn|mit dem uhrzeigersinn)"
+    r"(?: direction| sense| encirclements?)?(?: (?:of|around|about|um) (?:the point )?[-−]1)?\s*\)?\s*\.?",
+    re.IGNORECASE,
+)
+"""Turns, which count clockwise."""
 _PLACES = {
     "right_half_plane_roots": re.compile(
         r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts"
@@ -46,6 +55,9 @@ def counted(text: str, name: str, most: int | None) -> str | None:
 
     None where that is not clear: what is full is not known, or is another number; or what is counted lies elsewhere.
     """
+    if name == "encirclements" and (found := _TURNS.fullmatch(text)):
+        number = _number(_TIMES.get(found[1].lower(), found[1].lower()))
+        return None if number is None else str(-number if found[2] else number)
     if (found := _OUT_OF.match(text)) and most is not None and int(found[1]) < int(found[2]) == most:
         return found[1]
     if (found := _HENCE.match(text)) and count(found[1].split(maxsplit=1)[0]) == count(found[2]):

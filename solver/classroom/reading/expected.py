@@ -17,7 +17,7 @@ class Expected:
 
     Of an answer that is a `count`, a full one is `most`, where that can be told; a matrix may be made of `vectors`,
     "columns" or "rows"; the items of a list may be expressions that are `zero`, or `intervals`. An
-    expression may be in `signals`.
+    expression may be in `signals`. A list that is `continued` holds the first terms of a sequence.
     """
 
     name: str = ""
@@ -30,6 +30,7 @@ class Expected:
     zero: bool = False
     intervals: bool = False
     signals: SignalNames | None = None
+    continued: bool = False
 
     @classmethod
     def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
@@ -40,4 +41,5 @@ class Expected:
         labels = Labels(answer, others)
         kinds = (answer.vectors, answer.zero, answer.intervals)
         signals = answer.signals(given) if answer.signals and given else None
-        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds, signals=signals)
+        continued = answer.ordered and answer.numbered
+        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds, signals, continued)

@@ -13,6 +13,7 @@ from solver.classroom.reading.texts import TextReader
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 _PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
+_DOTS = re.compile(r"\s*[,;]?\s*(?:\.{2,}|…|\\[lc]?dots|etc\.?|usw\.?)\s*([\])}]?)\s*$")
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
 
 
@@ -30,6 +31,16 @@ def items_of(node: Node, texts: TextReader) -> Sequence[Node]:
         return (node,)
     diagonal = diagonal_of(node)
     return texts.choices.choose("diagonal", (diagonal, node.items)) if diagonal else node.items
+
+
+def without_dots(node: Node) -> Node:
+    """Return the first terms of a sequence, 0, 1, 3, …, without what says that it goes on."""
+    if isinstance(node, ScalarNode) and (bare := _DOTS.sub(r"\1", node.text)) != node.text:
+        return ScalarNode(node.place, bare, "quoted")
+    if isinstance(node, SequenceNode) and isinstance(last := (node.items or (None,))[-1], ScalarNode):
+        items = node.items[:-1] if _DOTS.fullmatch(f", {last.text}") else node.items
+        return SequenceNode(node.place, items)
+    return node
 
 
 def as_differences(node: Node) -> Node:

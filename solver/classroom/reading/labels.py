@@ -25,7 +25,8 @@ _RANGE = re.compile(
     r"\b(?:[tkn]\s*(?:>=?|≥|\\geq?\b)\s*0|[kn]\s*=\s*0\s*,\s*1\s*(?:,\s*2\s*)?,?\s*(?:\.{3}|…|\\l?dots))\s*\)?\s*[.$]?\s*$"
 )
 _MULTIPLE = re.compile(
-    r"^(.*?[^\s(,])\s*(?:\(?\s*(?:double(?: root| pole| eigenvalue)?|twice|doppelt|triple|dreifach|repeated twice"
+    r"^(.*?[^\s(,])\s*(?:\(?\s*(?:(?:is|ist)\s+(?:an?|eine?)\s+)?(?:double(?: root| pole| zero| eigenvalue)?|twice"
+    r"|doppelt(?:er? (?:pol|eigenwert|nullstelle))?|zweifach|triple|dreifach|repeated twice"
     r"|once|simple|einfach"
     r"|(?:with )?(?:(?:algebraic|alg\.?|algebraische?) )?(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?)\s*(\d{1,2}))"
     r"|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
@@ -45,7 +46,7 @@ _COUNTS = tuple(map(str, range(1, 10)))
 _INDEX = re.compile(r"(\d+)\D*$")
 _SHARED = re.compile(
     r"([^\W\d](?:(?![₀-₉])[^\W\d_])*)_?\{?([\d₀-₉](?:[,/]\s*_?[\d₀-₉])+)\}?\s*=\s*([^=]*?)"
-    r"(?=[,;]\s*[^\W\d]\w*(?:,\s*[\d₀-₉])*\}?\s*=|\s*$)"
+    r"(?=[,;]\s*[^\W\d]\w*\{?\d*(?:[,/]\s*[\d₀-₉])*\}?\s*=|\s*$)"
 )
 _TWO = re.compile(r"±|∓|\\pm|\\mp|\+\s*/?\s*[-−]")
 _COLUMNS = re.compile(r"^\s*\[[^\[\]=]*\]\s*=\s*(?=\[)")

@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
+from solver.classroom.reading.angles import with_one_argument
 from solver.classroom.reading.brackets import matching
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
@@ -109,6 +110,7 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     text = _RESERVED.sub(lambda found: _as_letters(found[1], names), text)
     for pattern, change in TABLE:
         text = pattern.sub(change, text)
+    text = with_one_argument(text)
     text = _with_units(_with_steps(_with_polar(_with_signs(text, choices)), names), names)
     text = with_real_parts(text, names, lambda inside: _with_names(inside, names))
     return _with_names(_with_derivatives(text, names), names)
@@ -138,7 +140,7 @@ def _with_polar(text: str) -> str:
     """e^(±jφ) as cos φ ± j sin φ."""
     while found := _POLAR.search(text):
         end = matching(text, found.end(1) - 1)
-        angle = text[found.end() : end]
+        angle = text[found.end() : end].strip() or "1"
         text = f"{text[: found.start()]}(cos({angle}) ± {found[2]}*sin({angle})){text[end + 1 :]}"
     return text
 

@@ -39,6 +39,8 @@ _INTEGERS = re.compile(
 _COMMA = re.compile(r",")
 _EQUALS = re.compile(r"=(?!=)")
 _REMARK = re.compile(r"\(\s*\w+\s+(?:∈|in|any|is)\s[^()]*\)|\(\s*\w+\s+integer\s*\)", re.IGNORECASE)
+_WITH = re.compile(r"\s*,?\s+(?:(?:each|all|both|jeweils|beide|alle)\s+)?(?:with|mit|where|wobei)\s+(?=[^\W\d][\w'’′]*\s*=)")
+"""x1 = 0, ±1 with x2 = 0: what is behind is said of all."""
 _PRIMES = {"'''": "_dddot", "''": "_ddot", "'": "_dot"}
 
 
@@ -97,7 +99,7 @@ class PointReader:
 
     def _pieces(self, text: str) -> list[str]:
         """The texts of points: between semicolons or words, or in brackets one after the other."""
-        text = self._plainly(_REMARK.sub("", text).strip())
+        text = self._plainly(_WITH.sub("; ", _REMARK.sub("", text)).strip())
         if enclosed(text, "[]") and text[1:].lstrip()[:1] in ("(", "[", "{"):  # a list of points
             text = text[1:-1].strip()
         pieces = self._whole([each.strip() for each in split(text, _APART) if each.strip()])

@@ -80,6 +80,18 @@ def _highest(text: str) -> int:
     return max((int(each) for each in powers), default=0)
 
 
+def with_positive_powers(read: tuple[Any, Any], variable: sp.Symbol, degree: int) -> tuple[Any, Any]:
+    """Return z² + a z + b for 1 + a z⁻¹ + b z⁻², a polynomial of this degree; any other value as it is."""
+    value, below = read[0], sp.Dummy()
+    if variable.name != "z" or value.is_polynomial(variable):
+        return read
+    inverse = value.xreplace({variable: 1 / below})
+    if not inverse.is_polynomial(below) or sp.Poly(inverse, below).degree() > degree:
+        return read
+    value, form = (sp.expand(each * variable**degree) for each in read)
+    return value, form
+
+
 def in_variable(read: tuple[Any, Any], variable: sp.Symbol, known: set[sp.Symbol]) -> tuple[Any, Any]:
     """Return a polynomial and its form in our variable, where they are written in another one that nobody knows."""
     value = read[0]

@@ -13,7 +13,7 @@ from solver.problem.expressions.notation import MAX_CHARACTERS
 from solver.problem.expressions.tokens import Kind, tokenize
 from solver.symbols import COMPLEX
 
-PART = re.compile(r"(?<![\w.])(Re|re|real|Real|Im|im|imag)\s*\(")
+PART = re.compile(r"(?<![A-Za-z_.])(Re|re|real|Real|Im|im|imag)\s*\(")
 UNITS = ("i", "j", "I")
 
 

@@ -54,8 +54,10 @@ PHRASES = {
     **dict.fromkeys(("line of fixed points", "line of equilibrium points"), "line of equilibria"),
     **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
     "unstable saddle": "saddle",
-    **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
-    **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall"), "overdamped"),
+    **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall", "unterkritisch damped",
+                     "unterkritisch", "subcritically damped", "periodisch damped", "oszillierend"), "underdamped"),
+    **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall", "überkritisch damped", "überkritisch",
+                     "supercritically damped", "aperiodisch damped"), "overdamped"),
     **dict.fromkeys(("aperiodischer grenzfall", "aperiodic limit", "limit of aperiodicity"), "critically damped"),
 }
 """What is said in several words, where it is all that is said."""

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading import polynomials
+from solver.classroom.reading.angles import readings_in_degrees
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.condition_words import in_relations, is_unclear, with_ends
 from solver.classroom.reading.conditions import ConditionReader
@@ -18,7 +19,7 @@ from solver.classroom.reading.notations import has_bare_call, plain
 from solver.classroom.reading.programs import inside_idle_call
 from solver.classroom.reading.said_twice import agree, sides
 from solver.classroom.reading.spelling import respelled, typed
-from solver.classroom.reading.units import without_unit
+from solver.classroom.reading.units import ForeignUnitError, without_unit
 from solver.classroom.reading.words import mixed_number
 from solver.classroom.submitted import Decimal
 from solver.problem.expressions import Doubt, ExpressionError, Names, parse_written
@@ -26,6 +27,8 @@ from solver.problem.expressions.notation import MAX_CHARACTERS
 from solver.problem.nodes import Node, ScalarNode
 from solver.problem.source import Fault
 
+_DECIBELS = re.compile(r"(\b20\s*[*·]?\s*)log(?=\s*[(|√]|\s+\d)")
+"""20 log of decibels is that to the base 10."""
 Pair = tuple[Any, Any]
 """A value, and its form with a symbol for each decimal."""
 
@@ -59,7 +62,7 @@ class TextReader:
         if self.numbers and len(equal := sides(written)) > 1 and (said := self._first_of(node, equal)):
             self.respelt = True
             return said
-        if mixed := mixed_number(written):
+        if mixed := mixed_number(self._bare(written)):
             written = self.choices.choose(("mixed", written), mixed)
         with At(node):
             text = self._plain(written)
@@ -68,7 +71,16 @@ class TextReader:
             self.decimals |= dict(decimals.values())
             symbols = {place: symbol for place, (symbol, _) in decimals.items()}
             pairs = parse_written(text, self.names, symbols, self._decide)
+            if self.unit == "°":
+                pairs = tuple(map(self._in_degrees, pairs))
             return [(self._sampled(value), self._sampled(form)) for value, form in pairs]
+
+    def _in_degrees(self, pair: Pair) -> Pair:
+        """An angle in degrees: what has π or an arctangent is in radians."""
+        values, forms = (readings_in_degrees(each, self.decimals) for each in pair)
+        found = list(zip(values, forms, strict=False))
+        self.respelt = self.respelt or found[0] != pair
+        return self.choices.choose(("angle", pair[0]), found) if len(found) > 1 else found[0]
 
     def _first_of(self, node: Node, equal: list[str]) -> list[Pair]:
         """The first of numbers that are said to be equal; nothing where they are none. Raises Fault if they differ."""
@@ -121,6 +133,13 @@ class TextReader:
         usual = doubt in (Doubt.EXPONENT, Doubt.ARGUMENT)
         return self.choices.choose(doubt, (usual, not usual))
 
+    def _bare(self, text: str) -> str:
+        """A text without its unit, where it has one that belongs to the answer."""
+        try:
+            return without_unit(text, self.unit)
+        except ForeignUnitError:
+            return text
+
     def _plain(self, text: str) -> str:
         """A text in our notation, without its unit; one that is too long stays as it is, and is refused."""
         if len(text) > MAX_CHARACTERS:
@@ -129,7 +148,7 @@ class TextReader:
             text.split("(", maxsplit=1)[0].strip()
         ):
             text = kept
-        bare = without_unit(text, self.unit)
+        bare = without_unit(_DECIBELS.sub(r"\1log10", text) if self.unit == "dB" else text, self.unit)
         found = polynomials.with_quotients(bare, self.variable)
         found = plain(found, self.names, self.choices)
         said = _squeezed(found) == _squeezed(respelled(bare))

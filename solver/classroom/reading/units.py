@@ -33,6 +33,7 @@ CONVERTED = {
 }
 """What stands behind a number instead of another unit of its kind; a power of ten, where it has digits alone; or dB."""
 _DIGITS = re.compile(r"[-+]?\d+\.?\d*")
+_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _UNIT = re.compile(r"^(.*(?:[\d)\].π]|\bpi))\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹\s-]*|1/s)\s*\.?$", re.DOTALL)
 _LIST = re.compile(r"^\s*[\[({]([^\[\](){}]*,[^\[\](){}]*)[\])}]\s*([A-Za-zµ°1][A-Za-z0-9/*^⁻¹\s-]*|°)\s*$")
 _BRACKETS = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s|Hz|dB|V|ms|min)\s*\]\s*$")
@@ -83,6 +84,6 @@ def inside(text: str, unit: str) -> str:
 
 
 def _times(number: str, factor: str) -> str:
-    if factor == "dB":
-        return f"10^(({number})/20)"
+    if factor == "dB":  # nobody means less than a tenth: √2 is 3 dB
+        return f"10^(({number}.0)/20)" if _WHOLE.fullmatch(number) else f"10^(({number})/20)"
     return f"({number})*10^(-3)" if factor.startswith("e") else f"({number}){factor}"

@@ -63,8 +63,9 @@ def parse_written(
     """
     with _only_expression_errors(text):
         node = parse(text, names, alternatives=True, decide=decide)
-        _check(node, names)
         signs = (1, -1) if "±" in text else (1,)
+        for sign in signs:
+            _check(node, names, sign)
         values = [build(node, names, sign) for sign in signs]
         forms = [build(node, names, sign, decimals) for sign in signs] if decimals else values
         return tuple(zip(values, forms, strict=True))
@@ -102,10 +103,10 @@ def canonical_name(text: str) -> str:
     return token.text
 
 
-def _check(node: Node, names: Names) -> None:
+def _check(node: Node, names: Names, plus_minus: int = 1) -> None:
     """Raise ExpressionError unless the expression can be built, and worked with, in reasonable time."""
     check_shape(node, names)
-    check_numbers(node, names)
+    check_numbers(node, names, plus_minus)
 
 
 @contextmanager

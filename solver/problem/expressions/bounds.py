@@ -47,16 +47,20 @@ _EVALUATE: dict[str, Callable[[complex], complex]] = {
 }
 
 
-def check_numbers(node: Node, names: Names) -> None:
-    """Raise ExpressionError, with the place, if a number that sympy would make of the expression is too large."""
-    _Bounds(names).size(node)
+def check_numbers(node: Node, names: Names, plus_minus: int = 1) -> None:
+    """Raise ExpressionError, with the place, if a number that sympy would make of the expression is too large.
+
+    `plus_minus` (1 or -1) says which of the two values of ± is meant.
+    """
+    _Bounds(names, plus_minus).size(node)
 
 
 class _Bounds:
     """Sizes of the parts of one expression; each rule raises an error where a limit is passed."""
 
-    def __init__(self, names: Names) -> None:
+    def __init__(self, names: Names, plus_minus: int) -> None:
         self.names = names
+        self.signs = {"+": "+", "-": "-", "±": "+" if plus_minus > 0 else "-"}
 
     def size(self, node: Node) -> Size:
         result = _RULES[type(node)](self, node)
@@ -79,7 +83,7 @@ class _Bounds:
         return size.SYMBOL
 
     def sum(self, node: Sum) -> Size:
-        return size.plus([(sign, self.size(term)) for sign, term in node.terms])
+        return size.plus([(self.signs[sign], self.size(term)) for sign, term in node.terms])
 
     def product(self, node: Product) -> Size:
         above = size.times([self.size(factor) for operator, factor in node.factors if operator == "*"])

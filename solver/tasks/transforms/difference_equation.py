@@ -128,7 +128,7 @@ def goes_through_the_recursion(given: Given[Equations, DifferenceOptions], answe
 def are_those_of_the_recursion(given: Given[Equations, DifferenceOptions], answers: Answers) -> Iterable[Check]:
     """The equations run through numerically give them."""
     asked, values = Question.of(given), list(answers["values"])
-    yield Check.that("as many values as asked for", "counted", len(values) == asked.terms)
+    yield Check.that("as many values as asked for", "counted", len(values) >= asked.terms)
     try:
         wanted = judges.values_of_recursion(_problem(asked), asked.k, len(values))[asked.model.unknowns[0]]
     except numeric.NotEvaluable as refusal:

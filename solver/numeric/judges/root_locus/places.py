@@ -170,7 +170,7 @@ def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> 
     """Return how far angles are from those in which branches leave poles (reach zeros) above the real axis.
 
     At a distance of 10^−FAR, −D/N times that distance to the power of the multiplicity m (of a zero divided by it)
-    tells the m directions in which it is positive.
+    tells the m directions in which it is positive. Twice as many angles are those of the poles below the axis too.
     """
     wanted: list[Any] = []
     for root, m in locus.poles if poles else locus.zeros:
@@ -179,6 +179,8 @@ def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> 
             turn = MP.degrees(MP.arg(locus.gain(near)))
             wanted += [((-turn if poles else turn) + 360 * q) / m for q in range(m)]
     found = [number(each) for each in angles]
+    if len(found) == 2 * len(wanted):
+        wanted += [-each for each in wanted]
     if len(found) != len(wanted):
         return float("inf")
     worst = 0.0
