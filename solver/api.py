@@ -8,25 +8,32 @@
 >>> marked = solver.check("problem.yaml", {"b": {"K": [13, 8]}})
 >>> marked.marks, marked.parts["b"].answers["K"].verdict
 
-In a notebook the solution shows itself as a page, the marked answers as a sheet.
+In a notebook the solution shows itself as a page, the marked answers as a sheet; while parts are being solved it shows
+how far that is (see `solver.progress`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from solver.document.model import Document, Presentation
-from solver.document.works import document_of, solve_as_told
+from solver.document.works import document_of
+from solver.engine import Solution, solve_parts, solve_problem
 from solver.problem.data import source_of_data
 from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
+from solver.progress import Tell, Watch, shown
 from solver.tasks import catalogue
 
 if TYPE_CHECKING:
     from solver.classroom.marked import Marked
+    from solver.derivation import PartResult
+    from solver.limits import Progress, Supervision
+    from solver.problem.model import Problem
 
 
 def solve(
@@ -36,23 +43,28 @@ def solve(
     templates: str | Path | None = None,
     language: str | None = None,
     notation: str | None = None,
+    progress: Watch = None,
     **limits: Any,
 ) -> Document:
     """Solve a problem given as the path of a YAML file, as YAML text (any text of more than one line) or as a mapping.
 
     A mapping has the keys of a problem file; its numbers and matrices may be those of Python, numpy or sympy.
     `language` and `notation` win over what the problem says. With `seconds` or `megabytes` (see
-    `solver.limits.Limits`) every part is solved in a child process that is ended at the limit.
+    `solver.limits.Limits`) every part is solved in a child process that is ended at the limit. A notebook shows how
+    far it is; `progress=True` shows it on a terminal too, False nowhere, and a function is told: `progress(done, total,
+    doing)`.
     Raises `solver.problem.source.InputError`, all errors with their places, if the input is at fault.
     """
     read = read_problem(source_of(problem), catalogue())
     folder = Path(templates) if templates else None
     presentation = Presentation(detail, folder, data=bool(limits), language=language, notation=notation)
-    if not limits:
-        return document_of(solve_as_told(read, presentation), presentation, read.name)
-    from solver.limits import Limits, solve_within  # noqa: PLC0415 - most uses need no child process
+    with shown(progress) as tell:
+        if not limits:
+            solved = _solved(read, presentation, tell)
+            return document_of(solved, presentation, read.name)
+        from solver.limits import Limits, solve_within  # noqa: PLC0415 - most uses need no child process
 
-    return solve_within(read, Limits(**limits), presentation).document(read.name)
+        return solve_within(read, Limits(**limits), presentation, _supervision(tell)).document(read.name)
 
 
 def check(
@@ -62,11 +74,13 @@ def check(
     templates: str | Path | None = None,
     language: str | None = None,
     notation: str | None = None,
+    progress: Watch = None,
     **limits: Any,
 ) -> Marked:
     """Mark a student's answers to a problem, both given as `solve` takes a problem.
 
-    The answers may also be a mapping, `{"b": {"K": [13, 8]}}`, of numbers, texts, lists and truth values.
+    The answers may also be a mapping, `{"b": {"K": [13, 8]}}`, of numbers, texts, lists and truth values. Answers to an
+    exam are marked by `solver.check_exam`.
     Raises `solver.problem.source.InputError` if the problem or the answer file is at fault; a value that cannot be read
     is not judged.
     """
@@ -79,14 +93,39 @@ def check(
     read = told.of(read_problem(source_of(problem), catalogue()))
     source = _answers(answers) if isinstance(answers, Mapping) else source_of(answers)
     submission = read_submission(source, read)
-    if not limits:
-        solution = solve_as_told(read, told)
-        marking = mark(solution, submission, folder)
-        return Marked(marking, solution, lambda: document_of(solution, told, read.name), folder)
-    solved = solve_within(read, Limits(**limits), told)
-    solution = solved.solution()
-    marking = mark_within(solution, submission, Limits(**limits), folder)
-    return Marked(marking, solution, lambda: solved.document(read.name), folder)
+    with shown(progress) as tell:
+        if not limits:
+            solution = _solved(read, told, tell)
+            marking = mark(solution, submission, folder)
+            return Marked(marking, solution, lambda: document_of(solution, told, read.name), folder)
+        solved = solve_within(read, Limits(**limits), told, _supervision(tell))
+        solution = solved.solution()
+        marking = mark_within(solution, submission, Limits(**limits), folder)
+        return Marked(marking, solution, lambda: solved.document(read.name), folder)
+
+
+def _solved(problem: Problem, told: Presentation, tell: Tell) -> Solution:
+    """Solve a problem in this process, and tell of each part."""
+    return solve_problem(problem, partial(_telling, told, tell), arithmetic=told.arithmetic)
+
+
+def _telling(told: Presentation, tell: Tell, problem: Problem) -> Iterator[list[PartResult]]:
+    results = solve_parts(problem, told.messages(problem.display), arithmetic=told.arithmetic)
+    total = len(problem.parts)
+    for number, part in enumerate(problem.parts):
+        tell(number, total, f"part {part.id}")
+        yield next(results)
+    tell(total, total, "writing")
+
+
+def _supervision(tell: Tell) -> Supervision:
+    """Return how a child process is watched: what it does is told."""
+    from solver.limits import Supervision  # noqa: PLC0415 - as above
+
+    def notify(progress: Progress) -> None:
+        tell(progress.index, progress.total, f"part {progress.part} by {progress.method}")
+
+    return Supervision(notify)
 
 
 def source_of(given: str | Path | Mapping[str, Any]) -> Source:

@@ -5,8 +5,11 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING
+
+from solver.progress import bar as bar_of
+from solver.progress import same_screen
 
 if TYPE_CHECKING:
     from solver.limits import Notify, Progress
@@ -49,38 +52,15 @@ class Meter:
 
 
 @contextmanager
-def bar(what: str, total: int) -> Iterator[Callable[[], None]]:
+def bar(what: str, total: int) -> Iterator[Callable[[], object]]:
     """Show how many of some things are done, and the time left, on a terminal; yields what counts one more."""
-    with _shown(what, total) as update:
-        yield lambda: update(advance=1)
+    done = count(1)
+    with bar_of(what, total, left=True) as tell:
+        yield lambda: tell(next(done), total, what)
 
 
 @contextmanager
-def search_bar(total: int) -> Iterator[Callable[[int, int], None]]:
+def search_bar(total: int) -> Iterator[Callable[[int, int], object]]:
     """Show how many things are done, of a family how many draws were made, and the time left, as `bar` does."""
-    with _shown("solving", total) as update:
-
-        def tell(draws: int, done: int) -> None:
-            update(description=f"{draws} draws" if draws else "solving", completed=done)
-
-        yield tell
-
-
-@contextmanager
-def _shown(what: str, total: int) -> Iterator[Callable[..., None]]:
-    """Show a bar on a terminal; yields what changes it."""
-    if not sys.stderr.isatty():
-        yield lambda **_: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
-    from rich.progress import Progress as Bars
-
-    columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Bars(*columns, console=Console(stderr=True), transient=True, redirect_stdout=same_screen()) as bars:
-        yield partial(bars.update, bars.add_task(what, total=total))
-
-
-def same_screen() -> bool:
-    """Whether what is printed goes to a terminal, as a bar does: rich would else print it on standard error, too."""
-    return sys.stdout.isatty()
+    with bar_of("solving", total, left=True) as tell:
+        yield lambda draws, done: tell(done, total, f"{draws} draws" if draws else "solving")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from solver.papers.families import Wanted, family_of, members
 from solver.papers.search import MOST_DRAWS, Search
 from solver.papers.telling import shortage
 from solver.problem.reader import file_stem, read_problem
+from solver.progress import Tell, Watch, shown
 from solver.tasks import catalogue
 
 
@@ -43,22 +45,30 @@ def variants(
     seed: int = 1,
     draws: int = MOST_DRAWS,
     jobs: int = 1,
+    progress: Watch = None,
     **limits: Any,
 ) -> list[Variant]:
     """Return verified members of the family that a problem tells, given as `solve` takes a problem.
 
     The same seed gives the same members on every machine. At most so many `draws` are made, by `jobs` processes;
-    `seconds` and `megabytes` are the limits of a part. Raises `solver.problem.source.InputError` where the problem is
-    at fault or tells no family, and where there are fewer members than asked for.
+    `seconds` and `megabytes` are the limits of a part, `progress` as for `solve`. Raises
+    `solver.problem.source.InputError` where the problem is at fault or tells no family, and where there are fewer
+    members than asked for.
     """
     source = source_of(problem)
     family = family_of(read_problem(source, catalogue()))
-    with Processes(jobs) as executor:
-        search = Search(source, family, seed, Limits(**limits), draws, executor)
+    with Processes(jobs) as executor, shown(progress) as tell:
+        told = partial(_told, tell, count)
+        search = Search(source, family, seed, Limits(**limits), draws, executor, told)
         found = list(members(search, count, Wanted(limits=Limits(**limits)), file_stem(source.name)))
+        told(search.draws, len(found))
     if len(found) < count:
         raise shortage(search, source, count)
     return [Variant(member.number, member.values, member.text) for member in found]
+
+
+def _told(tell: Tell, count: int, draws: int, found: int) -> None:
+    tell(found, count, f"{draws} draws")
 
 
 __all__ = ["Variant", "variants"]

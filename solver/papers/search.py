@@ -34,7 +34,7 @@ TOGETHER = 16
 
 BEFORE = Rejection("it was drawn before", own=True)
 
-Tell = Callable[[int, int], None]
+Tell = Callable[[int, int], object]
 """Is told how many draws were made and how many members were found."""
 
 
