@@ -5,10 +5,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TypeVar
 
 import click
 from click.shell_completion import CompletionItem, get_completion_class
+
+import solver
+
+Kind = TypeVar("Kind")
 
 SHELLS = ("bash", "zsh", "fish")
 VARIABLE = "_SOLVE_COMPLETE"
@@ -20,34 +27,36 @@ NAMES = {("tasks", "name"): "tasks", ("models", "name"): "models", ("new", "task
 """Parameters that are names, by command and name."""
 
 
-class Files(click.types.StringParamType):
+class Completed(click.ParamType[Kind]):
+    """A type of parameters that says itself how a word may go on."""
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:  # noqa: ARG002 - click's signature
+        """Return how a word may go on, whatever stands beside it."""
+        return self.completed(incomplete)
+
+    def completed(self, incomplete: str) -> list[CompletionItem]:
+        """Return how a word may go on."""
+        raise NotImplementedError
+
+
+class Files(Completed[str], click.types.StringParamType):
     """A text that names a file, or with kind "dir" a folder."""
 
     def __init__(self, kind: str = "file") -> None:
         self.kind = kind
 
-    def shell_complete(
-        self,
-        ctx: click.Context,  # noqa: ARG002 - click's signature
-        param: click.Parameter,  # noqa: ARG002 - as above
-        incomplete: str,
-    ) -> list[CompletionItem]:
+    def completed(self, incomplete: str) -> list[CompletionItem]:
         """Leave it to the shell."""
         return [CompletionItem(incomplete, type=self.kind)]
 
 
-class Named(click.types.StringParamType):
+class Named(Completed[str], click.types.StringParamType):
     """A text that is one of the names of a list."""
 
     def __init__(self, kind: str) -> None:
         self.kind = kind
 
-    def shell_complete(
-        self,
-        ctx: click.Context,  # noqa: ARG002 - click's signature
-        param: click.Parameter,  # noqa: ARG002 - as above
-        incomplete: str,
-    ) -> list[CompletionItem]:
+    def completed(self, incomplete: str) -> list[CompletionItem]:
         """Return the names that begin like that."""
         return [CompletionItem(name) for name in _names(self.kind) if name.startswith(incomplete)]
 
@@ -59,13 +68,18 @@ def _names(kind: str) -> Iterator[str]:
 
         yield from model_names()
         return
-    from solver.tasks import catalogue
-
     if kind == "new":
         from solver.cli.beginnings import BEGINNINGS
 
         yield from BEGINNINGS
-    yield from catalogue()
+    yield from _tasks()
+
+
+def _tasks() -> Iterator[str]:
+    """Yield the names of tasks, each that of its file: the catalogue, which knows more, takes five times as long."""
+    for path in Path(solver.__file__).parent.glob("tasks/*/*.py"):
+        if re.search(rf"^{path.stem}\b.* = Task\(", path.read_text(encoding="utf-8"), re.MULTILINE):
+            yield path.stem
 
 
 def listed(incomplete: str, known: Iterable[str]) -> list[CompletionItem]:

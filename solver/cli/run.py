@@ -9,7 +9,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from solver.cli.completing import listed
+from solver.cli.completing import Completed, listed
 from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.document.formats import FORMATS
@@ -25,7 +25,7 @@ TEMPLATES = click.option("--templates", metavar="DIR",
 AGAIN = click.option("--again", is_flag=True, help="Make all again, also what is there and unchanged.")
 
 
-class FormatList(click.ParamType[tuple[str, ...]]):
+class FormatList(Completed[tuple[str, ...]]):
     """Some of the output formats, separated by commas; `others` are names that stand beside those of a solution."""
 
     name = "formats"
@@ -47,12 +47,7 @@ class FormatList(click.ParamType[tuple[str, ...]]):
             self.fail(f"no format named; there are {', '.join(self.known)}", param, ctx)
         return tuple(words)
 
-    def shell_complete(
-        self,
-        ctx: click.Context,  # noqa: ARG002 - click's signature
-        param: click.Parameter,  # noqa: ARG002 - as above
-        incomplete: str,
-    ) -> list[CompletionItem]:
+    def completed(self, incomplete: str) -> list[CompletionItem]:
         """Return how the list may go on."""
         return listed(incomplete, self.known)
 

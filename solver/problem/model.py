@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from solver.problem.labels import labels_of
 from solver.symbols import COURSE
-from solver.systems import EarlierPart
 from solver.words import ENGLISH
 
 if TYPE_CHECKING:
@@ -130,6 +129,8 @@ class Part:
     @property
     def sources(self) -> tuple[str, ...]:
         """The earlier parts whose answers it goes on with."""
+        from solver.systems import EarlierPart  # noqa: PLC0415 - the command line knows problems before it needs systems
+
         values = [*self.options.values(), getattr(self.system, "gain", None)]
         parts = [each.part for each in values if isinstance(each, Reference)]
         return tuple(dict.fromkeys([*([self.system.part] if isinstance(self.system, EarlierPart) else []), *parts]))

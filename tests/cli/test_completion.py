@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from solver.cli.beginnings import BEGINNINGS
-from solver.cli.completing import SHELLS
+from solver.cli.completing import SHELLS, _tasks
 from solver.problem.library import model_names
 from solver.tasks import catalogue
 
@@ -64,16 +64,37 @@ def test_all_tasks_are_proposed_without_algebra():
     assert loaded == "False"
 
 
-@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
-def test_a_real_bash_completes(tmp_path):
-    script = subprocess.run((*COMMAND, "--completion", "bash"), capture_output=True, text=True, check=True).stdout
+ASKED = {
+    "bash": (
+        "--norc", "-c",
+        'eval "$SCRIPT"; COMP_WORDS=(solve new pole_pl); COMP_CWORD=2; _solve_completion solve; echo "${COMPREPLY[@]}"',
+    ),
+    "zsh": (
+        "-f", "-c",
+        "compdef() { :; }; compadd() { eval \"print -l \\${$argv[-1]}\"; }; "
+        'eval "$SCRIPT"; words=(solve new pole_pl); CURRENT=3; _solve_completion',
+    ),
+    "fish": ("--no-config", "-c", 'echo $SCRIPT | source; complete -C "solve new pole_pl"'),
+}  # fmt: skip
+"""How each shell is asked, in a word, what it would complete; zsh without the line that a person types into."""
+
+
+@pytest.mark.parametrize(
+    "shell",
+    [each if shutil.which(each) else pytest.param(each, marks=pytest.mark.skip("there is none")) for each in SHELLS],
+)
+def test_a_real_shell_completes(tmp_path, shell):
+    script = subprocess.run((*COMMAND, "--completion", shell), capture_output=True, text=True, check=True).stdout
     (tmp_path / "solve").write_text(f'#!/bin/sh\nexec "{sys.executable}" -m solver "$@"\n', encoding="utf-8")
     (tmp_path / "solve").chmod(0o755)
-    asked = 'COMP_WORDS=(solve new pole_pl); COMP_CWORD=2; _solve_completion solve; echo "${COMPREPLY[@]}"'
     path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
-    bash = ("bash", "--norc", "-c", f"{script}\n{asked}")
-    done = subprocess.run(bash, env={**os.environ, "PATH": path}, capture_output=True, text=True, check=False)
-    assert done.stdout.split() == ["pole_placement"]
+    environment = {**os.environ, "PATH": path, "SCRIPT": script, "HOME": str(tmp_path)}
+    done = subprocess.run((shell, *ASKED[shell]), env=environment, capture_output=True, text=True, check=False)
+    assert done.stdout.split() == ["pole_placement"], done.stderr
+
+
+def test_the_names_of_tasks_are_those_of_the_catalogue():
+    assert sorted(_tasks()) == sorted(catalogue())
 
 
 @pytest.mark.parametrize("name", BEGINNINGS)
