@@ -10,10 +10,11 @@ from pathlib import Path
 
 import click
 
+from solver.classroom.reading.files import is_filled
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_changed
 from solver.cli.executing import Workers
 from solver.cli.exporting import write_exports
-from solver.cli.filled import asked_in, changed_since, is_filled, keep_asked, tell_left_over
+from solver.cli.filled import asked_in, changed_since, keep_asked, tell_left_over
 from solver.cli.kept import Record, hash_of_folder, key_of
 from solver.cli.progress import bar, search_bar
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.solving import SOLVED, UNSOLVED
 from solver.papers.export.formats import EXPORTS
 from solver.papers.export.making import quiz_of
-from solver.papers.export.quiz import Item, Quiz
+from solver.papers.export.summary import counted, told
 
 if TYPE_CHECKING:
     from solver.cli.examining import Order
@@ -48,24 +48,3 @@ def write_exports(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]],
 def _stem(order: Order) -> str:
     path = Path(NAMELESS if order.file == STANDARD else order.file)
     return path.stem if path.suffix.lower() in {".yaml", ".yml"} else path.name
-
-
-def counted(quiz: Quiz) -> str:
-    """Return how many questions there are, and how many of them have fields."""
-    items = list(quiz.items)
-    essays = sum(item.essay is not None for item in items)
-    asked = f"{len(items)} question{'s' * (len(items) != 1)}"
-    return f"{asked}, {len(items) - essays} with fields, {essays} essay{'s' * (essays != 1)}"
-
-
-def told(quiz: Quiz) -> Iterator[str]:
-    """Yield which parts became essays, and why: once for all variants of a part."""
-    for group in quiz.groups:
-        reasons = {f"{name}: {why}": None for item in group.items for name, why in _reasons(item)}
-        if reasons:
-            yield f"essay: {', '.join(group.path[1:])}: {'; '.join(reasons)}"
-
-
-def _reasons(item: Item) -> Iterator[tuple[str, str]]:
-    if item.essay is not None:
-        yield from item.essay.reasons.items()

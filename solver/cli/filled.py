@@ -13,14 +13,11 @@ from unicodedata import normalize
 
 import click
 
-from solver.classroom.reading.answer_file import is_blank, root_of_answers
+from solver.classroom.reading.files import is_filled
 from solver.cli.kept import Record
-from solver.cli.solving import source_of
 from solver.papers.exam.drawing import Drawn
 from solver.papers.exam.making import ANSWERS, KEYS, PAPERS
 from solver.papers.exam.model import Variant
-from solver.problem.nodes import MappingNode
-from solver.problem.source import InputError
 from solver.render.exam import EXAM_FORMATS
 
 SHEET = "asked in "
@@ -83,22 +80,3 @@ def tell_left_over(folder: Path, labels: Collection[str]) -> None:
 
 def _with_answers(path: Path) -> str:
     return " (with answers)" if path.parent.name == ANSWERS and is_filled(path) else ""
-
-
-def is_filled(path: Path) -> bool:
-    """Whether a file holds answers, or what nobody but a person has written: it is not to be overwritten."""
-    if not path.exists():
-        return False
-    try:
-        answers = root_of_answers(source_of(str(path))).get("answers")
-    except InputError:
-        return True
-    left = [answers] if answers is not None else []
-    while left:
-        node = left.pop()
-        if not isinstance(node, MappingNode):
-            if not is_blank(node):
-                return True
-            continue
-        left += [entry.value for entry in node]
-    return False

@@ -7,16 +7,15 @@ import sys
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
-from solver.classroom.report.data import as_data
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number
 from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, write_changed, write_whole
-from solver.cli.handed_in import Read, read_paper, source_of_exam
+from solver.cli.handed_in import read_paper, readings_of, source_of_exam
 from solver.cli.overriding import overriding
 from solver.cli.papers import CheckRequest
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
@@ -27,9 +26,9 @@ from solver.problem.source import InputError
 if TYPE_CHECKING:
     from solver.executors import Executor
     from solver.papers.exam.grades import Graded
+    from solver.papers.exam.handed_in import HandedIn
     from solver.papers.exam.marking import Solutions, Worked
     from solver.papers.exam.model import Exam
-    from solver.problem.model import Problem
 
 
 def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: Sequence[str] = ()) -> int:
@@ -38,7 +37,7 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     What is wrong with one file is told, and stops no other; `others` stand beside them and are only told.
     """
     from solver.papers.exam.drawing import Means
-    from solver.papers.exam.marking import marked, solutions_of, worked_of
+    from solver.papers.exam.marking import marked, prepared, solutions_of, worked_of
     from solver.papers.exam.reading import read_exam
 
     try:
@@ -57,7 +56,8 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     with request.workers.executor() as executor:
         means = Means(request.presentation, request.limits, executor)
         try:
-            solutions = solutions_of(exam, {each.variant for each in papers}, means, partial(_prepared, request))
+            told = partial(prepared, request.presentation, request.partial)
+            solutions = solutions_of(exam, {each.variant for each in papers}, means, told)
         except InputError as error:
             click.echo(error.render(), err=True)
             return UNSOLVED
@@ -90,29 +90,20 @@ def _write_report(request: CheckRequest, exam: Exam, graded: Sequence[Graded], s
     click.echo(f"wrote {request.report}", err=True)
 
 
-def _tell_readings(request: CheckRequest, read: Sequence[Read], solutions: Solutions, executor: Executor) -> int:
+def _tell_readings(request: CheckRequest, read: Sequence[HandedIn], solutions: Solutions, executor: Executor) -> int:
     """Say how the values of each file are read; return the worst exit code."""
     from solver.papers.exam.marking import read_as
 
     there = [each.submission for each in read if each.submission is not None]
     found = read_as(there, solutions, request.limits, request.templates, executor)
-    told = (each.told(request, found, solutions) for each in read)
-    return tell(told, len(read), as_json=request.format == "json")
-
-
-def _prepared(request: CheckRequest, problem: Problem) -> Problem:
-    """Return a problem in the language asked for, and marked by the rule asked for."""
-    from solver.problem.partial import ruled
-    from solver.tasks import catalogue
-
-    told = request.presentation.of(problem)
-    return ruled(told, request.partial, catalogue()) if request.partial else told
+    said = (readings_of(each, request, found, solutions) for each in read)
+    return tell(said, len(read), as_json=request.format == "json")
 
 
 def _tell(request: CheckRequest, graded: Sequence[Graded]) -> None:
     """Write the markings, as text or as a list of data, where they are asked for."""
     if request.chosen_format == "json":
-        items = [_data(each) for each in graded]
+        items = [each.data() for each in graded]
         content = json.dumps(items, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
     else:
         content = "".join(_text(request, each) for each in graded if each.marking is not None)
@@ -146,12 +137,6 @@ def _write_sheets(
             path = delivery.path_of(each.file)
             write_changed(path, page.encode())
             click.echo(f"{each.file}: {number(each.marking.marks)} of {number(each.marking.out_of)}; wrote {path}")
-
-
-def _data(each: Graded) -> dict[str, Any]:
-    if each.marking is None:
-        return {"file": each.file, "student": each.student, "error": each.fault}
-    return {"file": each.file, "variant": each.variant, "student": each.student, **as_data(each.marking)}
 
 
 def _text(request: CheckRequest, each: Graded) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,18 +22,14 @@ from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
 from solver.words import Phrase
 
-MOST_OF_A_FILE = 3
-"""So many errors of a file are told: who marks a class reads those of many."""
 NO_EXAM = "-"
 """Stands for answers to one problem among what answer files name."""
 
 if TYPE_CHECKING:
-    from solver.classroom import Marking
     from solver.limits import Exceeded
-    from solver.papers.exam.grades import Graded
+    from solver.papers.exam.handed_in import HandedIn
     from solver.papers.exam.marking import Solutions
     from solver.papers.exam.model import Exam
-    from solver.papers.exam.submitted import ExamSubmission
 
 
 def exam_of(problem: str | None, files: Sequence[str]) -> str | None:
@@ -87,64 +83,49 @@ def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
     return [str(path) for path in inside if path.is_file() and path.resolve() not in read and path.name[0] != "."]
 
 
-@dataclass(frozen=True)
-class Read:
-    """An answer file and what it says, or why it cannot be read."""
-
-    name: str
-    submission: ExamSubmission | None = None
-    fault: str = ""
-    student: str = ""
-    status: str = ""
-
-    def graded(self, markings: Iterator[tuple[Marking, ...]]) -> Graded:
-        """Return it with its marking, the next one where it could be read."""
-        from solver.papers.exam.grades import Graded
-        from solver.papers.exam.marking import together
-
-        if self.submission is None:
-            return Graded(self.name, self.student, fault=self.fault, status=self.status)
-        student, of_questions = self.submission.student, next(markings)
-        whole = together(student, of_questions)
-        return Graded(self.name, student, self.submission.variant, whole, of_questions=of_questions)
-
-    def told(self, request: CheckRequest, found: Iterator[Readings | Exceeded], solutions: Solutions) -> Told:
-        """Return how its values are read, the next ones where it could be read."""
-        if self.submission is None:
-            return Told(self.name, fault=self.fault, code=INPUT_AT_FAULT)
-        readings = next(found)
-        display = solutions[self.submission.variant][0].problem.display
-        messages = Messages(request.templates, display.language, display.notation)
-        name = f"{self.name}, {messages.say(Phrase('Variant {number}', number=self.submission.variant))}"
-        if isinstance(readings, Readings):
-            return Told.of(self.name if request.format == "json" else name, readings, messages)
-        fault = messages.say(readings.reason)
-        click.echo(f"{self.name}: error: {fault}", err=True)
-        return Told(self.name, fault=fault, code=UNSOLVED)
+def readings_of(
+    read: HandedIn, request: CheckRequest, found: Iterator[Readings | Exceeded], solutions: Solutions
+) -> Told:
+    """Tell how the values of a file are read, the next ones where it could be read."""
+    if read.submission is None:
+        return Told(read.name, fault=read.fault, code=INPUT_AT_FAULT)
+    readings = next(found)
+    display = solutions[read.submission.variant][0].problem.display
+    messages = Messages(request.templates, display.language, display.notation)
+    name = f"{read.name}, {messages.say(Phrase('Variant {number}', number=read.submission.variant))}"
+    if isinstance(readings, Readings):
+        return Told.of(read.name if request.format == "json" else name, readings, messages)
+    fault = messages.say(readings.reason)
+    click.echo(f"{read.name}: error: {fault}", err=True)
+    return Told(read.name, fault=fault, code=UNSOLVED)
 
 
-def read_paper(name: str, exam: Exam, followed: str) -> Read:
+def read_paper(name: str, exam: Exam, followed: str) -> HandedIn:
     """Read an answer file; what is wrong with it becomes words on standard error.
 
     Where the exam is `followed`, and not named on the command line, a file that names another one is at fault.
     """
     from solver.papers.exam.grades import NOT_READABLE
-    from solver.papers.exam.submitted import NotPlacedError, read_exam_submission
-    from solver.papers.exam.whose import ANOTHER_EXAM, may_be_of
+    from solver.papers.exam.handed_in import HandedIn, handed_in
+    from solver.papers.exam.whose import may_be_of
 
-    root, status = None, NOT_READABLE
     try:
-        source = submitted(name)
-        root = root_of_answers(source)
-        if followed and named_in(source, "exam", name) not in {"", followed}:
-            status = ANOTHER_EXAM
-            message = f"it names another exam than most files, which answer {followed}"
-            raise InputError(source, [root["exam"].diagnostic(message)])
-        return Read(name, read_exam_submission(source, exam))
-    except InputError as error:
-        fault = error.first(MOST_OF_A_FILE)
-        status = error.status if isinstance(error, NotPlacedError) else status
+        read = handed_in(name, partial(_answering, name, followed), exam)
     except AtFault as error:
-        fault = f"{name}: error: {error.format_message()}"
-    click.echo(fault, err=True)
-    return Read(name, fault=fault, student=may_be_of(name, root, exam), status=status)
+        fault, student = f"{name}: error: {error.format_message()}", may_be_of(name, None, exam)
+        read = HandedIn(name, fault=fault, student=student, status=NOT_READABLE)
+    if read.fault:
+        click.echo(read.fault, err=True)
+    return read
+
+
+def _answering(name: str, followed: str) -> Source:
+    """Return the text of an answer file; raises InputError where it names another exam than the one followed."""
+    from solver.papers.exam.submitted import NotPlacedError
+    from solver.papers.exam.whose import ANOTHER_EXAM, Unplaced
+
+    source = submitted(name)
+    if followed and named_in(source, "exam", name) not in {"", followed}:
+        message = f"it names another exam than most files, which answer {followed}"
+        raise NotPlacedError(source, Unplaced(root_of_answers(source)["exam"].diagnostic(message), ANOTHER_EXAM))
+    return source

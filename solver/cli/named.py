@@ -59,8 +59,3 @@ def _is_absolute(name: str) -> bool:
 
 def _a(key: str) -> str:
     return f"an {key}" if key == "exam" else f"a {key}"
-
-
-def leads_out(file: Path) -> bool:
-    """Whether a file of a folder of answers is a link to somewhere else: what it holds is not the student's."""
-    return file.is_symlink() and not file.resolve().is_relative_to(file.parent.resolve())

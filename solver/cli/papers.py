@@ -9,9 +9,10 @@ from pathlib import Path
 import click
 
 from solver.classroom import Submission, read_submission
+from solver.classroom.reading.files import answer_files, load_submitted
 from solver.cli.destination import STANDARD, AtFault
 from solver.cli.executing import Workers
-from solver.cli.named import ENDINGS, leads_out, named_in
+from solver.cli.named import named_in
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of
 from solver.document.model import Document, Presentation
@@ -21,7 +22,7 @@ from solver.messages import Messages
 from solver.problem.nodes import MappingNode
 from solver.problem.partial import ruled
 from solver.problem.reader import read_problem
-from solver.problem.source import Diagnostic, InputError, Source
+from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
 
@@ -103,8 +104,7 @@ def files_in(named: Sequence[str], *others: str | None) -> tuple[str, ...]:
         if name == STANDARD or not Path(name).is_dir():
             found.append(name)
             continue
-        inside = [path for path in sorted(Path(name).iterdir()) if path.suffix.lower() in ENDINGS and path.is_file()]
-        files = [str(path) for path in inside if path.resolve() not in apart and not path.name.startswith(".")]
+        files = [str(path) for path in answer_files(Path(name)) if path.resolve() not in apart]
         if not files:
             raise click.UsageError(f"there is no answer file in {name}; they end in .yaml.")
         found += files
@@ -185,7 +185,4 @@ class Problems:
 
 def submitted(file: str) -> Source:
     """Return the text of an answer file; raises InputError. A link that leads out of its folder is not followed."""
-    if file != STANDARD and leads_out(Path(file)):
-        message = "it is a link that leads out of its folder, and is not followed"
-        raise InputError(Source(file, ""), [Diagnostic(message, note="put the file itself there")])
-    return source_of(file)
+    return source_of(file) if file == STANDARD else load_submitted(Path(file))

@@ -83,7 +83,10 @@ def test_images_stand_beside_the_members(solve, tmp_path):
 
 
 def test_families_have_a_python_interface():
-    one, two = solver.variants(FAMILY, count=2, seed=7)
+    told = []
+    one, two = solver.variants(FAMILY, count=2, seed=7, progress=lambda *each: told.append(each))
+    assert told[-1][:2] == (2, 2)
+    assert told[-1][2].endswith(" draws")
     assert (one.number, dict(one.values)) == (1, {"a": "3", "b": "-2", "p": "-2"})
     assert one.solve().status == "verified"
     assert two.values != one.values

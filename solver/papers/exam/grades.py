@@ -7,8 +7,10 @@ import io
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from solver.classroom import Marking
+from solver.classroom.report.data import as_data
 from solver.classroom.report.hundredths import marks_that_add_up
 from solver.classroom.report.table import harmless
 from solver.classroom.report.words import number
@@ -32,6 +34,12 @@ class Graded:
     fault: str = ""
     of_questions: tuple[Marking, ...] = ()
     status: str = NOT_READABLE
+
+    def data(self) -> dict[str, Any]:
+        """Return the marking as dictionaries, lists, texts and numbers, or the error."""
+        if self.marking is None:
+            return {"file": self.file, "student": self.student, "error": self.fault}
+        return {"file": self.file, "variant": self.variant, "student": self.student, **as_data(self.marking)}
 
     @property
     def is_blank(self) -> bool:

@@ -21,6 +21,7 @@ from solver.papers.exam.solved import solve_each
 from solver.papers.exam.submitted import ExamSubmission
 from solver.papers.families import Wanted, members
 from solver.problem.model import Problem
+from solver.problem.partial import ruled
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
@@ -49,6 +50,12 @@ def solutions_of(
             places[number].append(place)
     solved = dict(zip(problems, solve_each(list(problems.values()), means.limits, means.executor), strict=True))
     return {number: [solved[place] for place in of_variant] for number, of_variant in places.items()}
+
+
+def prepared(presentation: Presentation, partial: str | None, problem: Problem) -> Problem:
+    """Return a problem in the language asked for, and marked by the rule asked for."""
+    told = presentation.of(problem)
+    return ruled(told, partial, catalogue()) if partial else told
 
 
 def _texts(exam: Exam, question: Question, count: int, means: Means) -> list[str]:

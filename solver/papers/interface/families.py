@@ -1,4 +1,4 @@
-"""The Python interface to families: `solver.variants(path_or_text, count=…, seed=…)`.
+"""Families in Python: `solver.variants(path_or_text, count=…, seed=…)`.
 
 >>> import solver
 >>> for variant in solver.variants("problems/families/integer-regulators.yaml", count=3, seed=7):

@@ -1,0 +1,148 @@
+"""A class marked in Python: `solver.check_exam("exam.yaml", "answers/")`.
+
+>>> import solver
+>>> marked = solver.check_exam("exam.yaml", "answers/", jobs=2)
+>>> Path("grades.csv").write_text(marked.grades(), encoding="utf-8")
+>>> [(each.student, each.marking.marks) for each in marked.papers if each.marking]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from solver.api import source_of
+from solver.classroom.reading.files import answer_files, load_submitted
+from solver.document.model import Presentation, in_a_frame
+from solver.executors import Executor, Processes
+from solver.limits import Limits
+from solver.messages import Messages
+from solver.papers.exam.drawing import Means
+from solver.papers.exam.grades import Graded, grades_table, missing
+from solver.papers.exam.handed_in import HandedIn, handed_in
+from solver.papers.exam.marking import Solutions, Worked, marked, prepared, solutions_of, worked_of
+from solver.papers.exam.model import Exam
+from solver.papers.exam.reading import read_exam
+from solver.papers.exam.report import report_page
+from solver.papers.exam.sheet import exam_sheet
+from solver.papers.interface.exams import Given
+from solver.problem.data import source_of_data
+from solver.progress import Tell, Watch, shown
+
+Answers = str | Path | Sequence[str | Path] | Mapping[str, Mapping[Any, Any]]
+"""A folder of answer files, files, or by student what is answered: `{"Ada": {1: {"a": {"K": [1, 2]}}}}`."""
+
+
+@dataclass(frozen=True)
+class MarkedExam:
+    """The papers of a class, each marked against its own variant. In a notebook it shows itself as the report."""
+
+    exam: Exam
+    papers: tuple[Graded, ...]
+    """One for each file: its student, variant and marking, or `fault`: why it could not be marked."""
+
+    solutions: Solutions = field(repr=False)
+    messages: Messages = field(repr=False)
+    templates: Path | None = None
+    worked: Worked = field(default_factory=dict, repr=False)
+
+    @property
+    def missing(self) -> list[str]:
+        """The students of the class of whom there is no file."""
+        return missing(self.exam, self.papers)
+
+    def grades(self) -> str:
+        """Return the grades as CSV: what `--csv` writes."""
+        return grades_table(self.exam, self.papers)
+
+    def report(self) -> str:
+        """Return the page of what the marks say: what `--report` writes."""
+        return report_page(self.exam, self.papers, self.solutions, self.templates, self.messages)
+
+    def sheet(self, file: str | Path, *, answers: bool = False) -> str:
+        """Return the page to hand back for a file, or a student: with the right `answers`, if that is wanted.
+
+        Below is the worked solution where the class was marked with `solution=True`. Raises KeyError where there is no
+        such file, ValueError where it could not be marked.
+        """
+        graded = next((each for each in self.papers if str(file) in {each.file, each.student}), None)
+        if graded is None:
+            raise KeyError(f"no file and no student {str(file)!r}")
+        return exam_sheet(
+            self.exam, graded, self.solutions.get(graded.variant, ()), self.templates, key=answers, worked=self.worked
+        )
+
+    def data(self) -> list[dict[str, Any]]:
+        """Return the markings as dictionaries, lists, texts and numbers: what `solve check -f json` prints."""
+        return [each.data() for each in self.papers]
+
+    def _repr_html_(self) -> str:
+        """The report in a frame of its own."""
+        return in_a_frame(self.report(), self.exam.title)
+
+    def __repr__(self) -> str:
+        count = sum(each.marking is not None for each in self.papers)
+        return f"<exam {self.exam.title!r}: {count} of {len(self.papers)} files marked>"
+
+
+def check_exam(  # noqa: PLR0913 - all but the first two have names
+    exam: Given,
+    answers: Answers,
+    *,
+    partial_credit: str | None = None,
+    solution: bool = False,
+    detail: str = "full",
+    jobs: int = 1,
+    templates: str | Path | None = None,
+    language: str | None = None,
+    notation: str | None = None,
+    progress: Watch = None,
+    **limits: Any,
+) -> MarkedExam:
+    """Mark the answers of a class to an exam, each against its own variant, as `solve check exam.yaml answers/` does.
+
+    `partial_credit` is "entries", "none" or "named", whatever the problems say; with `solution` sheets have the worked
+    solution, in so much `detail`. A file that cannot be read, or of which it is not sure whose it is, is not marked and
+    says why. Raises `solver.problem.source.InputError` where the exam or a file that it names is at fault.
+    """
+    told = Presentation(detail, Path(templates) if templates else None, language=language, notation=notation)
+    within = Limits(**limits)
+    read = read_exam(source_of(exam))
+    files = _handed_in(answers, read)
+    with Processes(jobs) as executor, shown(progress) as tell:
+        variants = {each.submission.variant for each in files if each.submission is not None}
+        tell(0, len(files), "solving")
+        ruled = partial(prepared, told, partial_credit)
+        solutions = solutions_of(read, variants, Means(told, within, executor), ruled)
+        graded = _graded(files, solutions, told, within, executor, tell)
+        worked = worked_of(solutions, told, within, executor) if solution else {}
+    messages = told.messages(read.questions[0].problem.display)
+    return MarkedExam(read, graded, solutions, messages, told.templates, worked)
+
+
+def _graded(
+    files: Sequence[HandedIn], solutions: Solutions, told: Presentation, limits: Limits, executor: Executor, tell: Tell
+) -> tuple[Graded, ...]:
+    papers = [each.submission for each in files if each.submission is not None]
+    markings = marked(papers, solutions, limits, told.templates, executor)
+    graded = []
+    for number, each in enumerate(files):
+        tell(number, len(files), "marking")
+        graded.append(each.graded(markings))
+    return tuple(graded)
+
+
+def _handed_in(answers: Answers, exam: Exam) -> list[HandedIn]:
+    """Read what was handed in."""
+    if isinstance(answers, Mapping):
+        given = {f"<{student}>": {"student": student, "answers": each} for student, each in answers.items()}
+        return [handed_in(name, partial(source_of_data, each, name), exam) for name, each in given.items()]
+    named = [Path(answers)] if isinstance(answers, str | Path) else [Path(each) for each in answers]
+    files = [file for each in named for file in (answer_files(each) if each.is_dir() else [each])]
+    return [handed_in(str(file), partial(load_submitted, file), exam) for file in files]
+
+
+__all__ = ["MarkedExam", "check_exam"]
