@@ -1,7 +1,8 @@
 """Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
 
 The groups are exponential, placement, mechanics, circuits, horizons, multivariable, transforms, classical,
-analog, command, class and growth; and, only where it is named, desk: a class of sixty from an empty folder to grades.
+analog, command, class and growth; and, only where they are named, desk: a class of sixty from empty folder to grades;
+scale [PARTS]: many parts by processes and a cluster; papers [VARIANTS]: an exam for very many, 1000 if nothing is said.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -27,6 +28,7 @@ from benchmarks import (
     growth,
     holds,
     linearization,
+    many_papers,
     matrix_exponential,
     mechanics,
     multivariable,
@@ -111,15 +113,18 @@ def main() -> int:
         "class",
         "desk",
         "scale",
+        "papers",
         "growth",
     )
     parser.add_argument("group", nargs="?", choices=groups)
-    parser.add_argument("task", nargs="?", help="of the table of growth, one task only; of scale, how many parts")
+    parser.add_argument("task", nargs="?", help="of the table of growth, one task only; of scale and papers, how many")
     chosen = parser.parse_args()
     if chosen.group == "desk":
         return class_of_sixty.main()
     if chosen.group == "scale":
         return scale.main(int(chosen.task or scale.BUSY))
+    if chosen.group == "papers":
+        return many_papers.main(int(chosen.task or many_papers.VARIANTS))
     print("times in ms: the least processor time (of whole processes: wall time), caches emptied before each run")
     print(f"load of the machine: {os.getloadavg()[0]:.1f}\n")
     met = True

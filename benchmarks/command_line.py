@@ -1,12 +1,15 @@
-"""The command line: what `solve --help` costs, a cold solution, and a warm one with checks and page."""
+"""The command line: what help and completion cost, a cold solution, a warm one, and one written again by --watch."""
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib import import_module
 from math import log
 from pathlib import Path
+from time import perf_counter, sleep
 from typing import Any
 
 from benchmarks.timing import Failure, Row, milliseconds_of_each, output, processes
@@ -26,6 +29,12 @@ WARMING = 5
 """Problems after which a process is warm: Python's bytecode has adapted, the shapes of formulas are known."""
 
 WARM = "from benchmarks.command_line import milliseconds_of_unseen; print(milliseconds_of_unseen({n}, {count}))"
+
+COMPLETE = "import os; os.environ.update(_SOLVE_COMPLETE='bash_complete', COMP_WORDS='solve new pole_pl', "
+COMPLETE += "COMP_CWORD='2'); from solver.cli import main; main([])"
+
+CHANGES = 8
+"""How often a file is changed under --watch."""
 
 IMPORT = "from time import process_time as t; start = t(); import sympy; print(1000 * (t() - start))"
 
@@ -48,15 +57,17 @@ def rows() -> Iterator[Row | Failure]:
     """Return the lines of the table."""
     for words in (["--help"], ["tasks"]):
         yield from _guarded(f"solve {words[0]}: CPU above bare Python", lambda words=words: _startup(words))
+    yield from _guarded("completion of a task's name: CPU", _completion)
     yield from _guarded("cold solve, n = 3, HTML, checks", _cold)
     yield from _guarded("warm solve + check + HTML, n = 3", _warm)
+    yield from _guarded("--watch: from a change to the page, wall", _watch)
 
 
 def _guarded(name: str, measure: Any) -> Iterator[Row | Failure]:
     """Yield what is measured, or why it could not be: one missing part must not lose the other lines."""
     try:
         yield from measure()
-    except (RuntimeError, ImportError, AttributeError) as reason:
+    except (RuntimeError, ImportError, AttributeError, OSError) as reason:
         yield Failure(name, str(reason))
 
 
@@ -66,6 +77,11 @@ def _startup(words: list[str]) -> Iterator[Row]:
     yield Row(f"solve {words[0]}: CPU above bare Python", cpu - bare, at_most=150)
 
 
+def _completion() -> Iterator[Row]:
+    ((_, cpu),) = processes(["-c", COMPLETE])
+    yield Row("completion of a task's name: CPU", cpu, at_most=150)
+
+
 def _cold() -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "problem.yaml"
@@ -73,6 +89,38 @@ def _cold() -> Iterator[Row]:
         solve = ["-m", "solver", str(path), "-o", str(Path(folder) / "page.html")]
         (wall, _), (sympy_wall, _) = processes(solve, ["-c", "import sympy"])
     yield Row("cold solve, n = 3, HTML, checks", wall, "python -c 'import sympy'", sympy_wall, 1 / 2.5)
+
+
+def _watch() -> Iterator[Row]:
+    """Yield the least time from writing a file, with other numbers, to its page; the looks at it come in between."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, page = Path(folder) / "problem.yaml", Path(folder) / "page.html"
+        path.write_text(problem_text(3), encoding="utf-8")
+        command = [sys.executable, "-m", "solver", str(path), "--watch", "-o", str(page)]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            try:
+                _until(lambda: page.exists() or process.poll() is not None)
+                times = [_seconds_to(page, path, problem_text(3, first)) for first in range(2, 2 + CHANGES)]
+            finally:
+                process.terminate()
+    yield Row("--watch: from a change to the page, wall", 1000 * min(times), at_most=300)
+
+
+def _seconds_to(page: Path, path: Path, text: str) -> float:
+    before = page.stat().st_mtime_ns  # raises FileNotFoundError where the command has ended
+    sleep(0.5)
+    start = perf_counter()
+    path.write_text(text, encoding="utf-8")
+    _until(lambda: page.stat().st_mtime_ns != before)
+    return perf_counter() - start
+
+
+def _until(done: Callable[[], bool], seconds: float = 60.0) -> None:
+    end = perf_counter() + seconds
+    while not done():
+        if perf_counter() > end:
+            raise RuntimeError("nothing was written")
+        sleep(0.002)
 
 
 def _warm() -> Iterator[Row]:

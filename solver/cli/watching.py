@@ -23,7 +23,7 @@ from solver.problem.yaml_tree import MAX_BYTES
 if TYPE_CHECKING:
     from solver.cli.solving import Request
 
-TICK = 0.1
+TICK = 0.06
 """Seconds between two looks at the files."""
 SETTLED = 0.05
 """Seconds for which a file must stay as it is: an editor may write in several goes, or put another file in place."""
