@@ -12,7 +12,7 @@ WORKERS ?= auto
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help solve test test-all test-whole mutants corrupted lint bench errata tables task clean
+.PHONY: help solve test test-all test-whole mutants corrupted lint bench guides errata tables task clean
 
 help:  ## Say what there is to make.
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
@@ -51,8 +51,11 @@ lint: $(READY)  ## Check style, types, who imports whom, and calls that are forb
 	$(BIN)/lint-imports
 	$(BIN)/python tools/forbidden_calls.py solver
 
-bench: $(READY)  ## Print the table of speed targets beside their peers.
+bench: $(READY)  ## Print the table of speed targets beside their peers (python -m benchmarks --help names the groups).
 	$(BIN)/python -m benchmarks
+
+guides: $(READY)  ## Follow the guides of a first hour in an empty folder; `!` stands before what they tell otherwise.
+	$(BIN)/python -m tools.guides
 
 errata: $(READY)  ## Mark what the lecture note prints, and list in docs/errata.md what is wrong.
 	$(BIN)/python tools/errata.py
