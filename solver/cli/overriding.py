@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from solver.classroom.reading.change_file import Changes, read_changes
+from solver.classroom.reading.change_file import Changes
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of
 from solver.problem.source import Fault, InputError
 
@@ -48,17 +48,11 @@ def overriding(file: str | None, exam: Exam, papers: Sequence[tuple[str, str]]) 
     Raises InputError where the file is wrong, or names parts or answers that the exam has not; keys that name no paper
     are told.
     """
-    from solver.papers.exam.overriding import as_the_class_writes, names_of, parts_of
+    from solver.papers.exam.overriding import fitted
 
     if file is None:
         return Overriding(exam)
-    names = [names_of(exam, *paper) for paper in papers]
-    students = exam.students or tuple(dict.fromkeys(student for _, student in papers if student))
-    changes = as_the_class_writes(read_changes(source_of(file)), names, students)
-    strangers = changes.strangers(names)
-    for each in names:
-        if (found := changes.of(*each)) is not None:
-            changes.refuse_unknown(found, parts_of(exam), "exam")
+    changes, strangers = fitted(source_of(file), exam, papers)
     if strangers:
         click.echo(InputError(changes.source, strangers).render(), err=True)
     return Overriding(exam, changes, INPUT_AT_FAULT if strangers else SOLVED)

@@ -116,6 +116,11 @@ def test_an_exam_and_its_answers_may_be_data(tmp_path, monkeypatch):
     }
     marked = solver.check_exam(SMALL, answers, partial_credit="none")
     assert [each.marking and each.marking.marks for each in marked.papers] == [4, 0, None]
+    changes = "changes:\n  Bob: {1.a: {verdict: {marks: 3, comment: well argued}}}\n"
+    marked = solver.check_exam(SMALL, answers, override=changes)
+    assert [each.marking and each.marking.marks for each in marked.papers] == [4, 3, None]
+    with pytest.raises(InputError, match="Rob"):
+        solver.check_exam(SMALL, answers, override=changes.replace("Bob", "Rob"))
     assert "<Cy>: at answers: error: 'answers:' must list" in marked.papers[2].fault
 
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from solver.classroom.changed import changed
-from solver.classroom.reading.change_file import Changes, StudentChanges
+from solver.classroom.reading.change_file import Changes, StudentChanges, read_changes
 from solver.papers.exam.grades import Graded
 from solver.papers.exam.model import Exam
 from solver.papers.exam.whose import spelt_alike
 from solver.problem.model import Part
-from solver.problem.source import InputError, Report
+from solver.problem.source import Diagnostic, InputError, Report, Source
 
 
 def parts_of(exam: Exam) -> Mapping[str, Part]:
@@ -28,6 +28,20 @@ def names_of(exam: Exam, file: str, student: str) -> list[str]:
     path = Path(file)
     names = [name for name in (file, path.name, path.stem) if name not in exam.students or name == student]
     return [*names, *filter(None, [student])]
+
+
+def fitted(source: Source, exam: Exam, papers: Sequence[tuple[str, str]]) -> tuple[Changes, list[Diagnostic]]:
+    """Return the changes of a file for papers, each the name of its file and its student, and who is none of them.
+
+    Raises InputError where the file is wrong, or names parts or answers that the exam has not.
+    """
+    names = [names_of(exam, *paper) for paper in papers]
+    students = exam.students or tuple(dict.fromkeys(student for _, student in papers if student))
+    changes = as_the_class_writes(read_changes(source), names, students)
+    for each in names:
+        if (found := changes.of(*each)) is not None:
+            changes.refuse_unknown(found, parts_of(exam), "exam")
+    return changes, list(changes.strangers(names))
 
 
 def as_the_class_writes(changes: Changes, papers: Sequence[Sequence[str]], students: Sequence[str]) -> Changes:

@@ -25,11 +25,13 @@ from solver.papers.exam.grades import Graded, grades_table, missing
 from solver.papers.exam.handed_in import HandedIn, handed_in
 from solver.papers.exam.marking import Solutions, Worked, marked, prepared, solutions_of, worked_of
 from solver.papers.exam.model import Exam
+from solver.papers.exam.overriding import fitted, names_of, with_changes
 from solver.papers.exam.reading import read_exam
 from solver.papers.exam.report import report_page
 from solver.papers.exam.sheet import exam_sheet
 from solver.papers.interface.exams import Given
 from solver.problem.data import source_of_data
+from solver.problem.source import Fault, InputError, Source
 from solver.progress import Tell, Watch, shown
 
 Answers = str | Path | Sequence[str | Path] | Mapping[str, Mapping[Any, Any]]
@@ -93,6 +95,7 @@ def check_exam(  # noqa: PLR0913 - all but the first two have names
     answers: Answers,
     *,
     partial_credit: str | None = None,
+    override: Given | None = None,
     solution: bool = False,
     detail: str = "full",
     jobs: int = 1,
@@ -104,9 +107,10 @@ def check_exam(  # noqa: PLR0913 - all but the first two have names
 ) -> MarkedExam:
     """Mark the answers of a class to an exam, each against its own variant, as `solve check exam.yaml answers/` does.
 
-    `partial_credit` is "entries", "none" or "named", whatever the problems say; with `solution` sheets have the worked
-    solution, in so much `detail`. A file that cannot be read, or of which it is not sure whose it is, is not marked and
-    says why. Raises `solver.problem.source.InputError` where the exam or a file that it names is at fault.
+    `partial_credit` is "entries", "none" or "named", whatever the problems say; `override` are an instructor's changes,
+    a file as for `--override`; with `solution` sheets have the worked solution, in so much `detail`. A file that cannot
+    be read, or of which it is not sure whose it is, is not marked and says why. Raises
+    `solver.problem.source.InputError` where the exam, a file that it names, or a change is at fault.
     """
     told = Presentation(detail, Path(templates) if templates else None, language=language, notation=notation)
     within = Limits(**limits)
@@ -119,6 +123,8 @@ def check_exam(  # noqa: PLR0913 - all but the first two have names
         solutions = solutions_of(read, variants, Means(told, within, executor), ruled)
         graded = _graded(files, solutions, told, within, executor, tell)
         worked = worked_of(solutions, told, within, executor) if solution else {}
+    if override is not None:
+        graded = _overridden(source_of(override), read, graded)
     messages = told.messages(read.questions[0].problem.display)
     return MarkedExam(read, graded, solutions, messages, told.templates, worked)
 
@@ -133,6 +139,21 @@ def _graded(
         tell(number, len(files), "marking")
         graded.append(each.graded(markings))
     return tuple(graded)
+
+
+def _overridden(source: Source, exam: Exam, graded: Sequence[Graded]) -> tuple[Graded, ...]:
+    """Return the papers with an instructor's changes; raises InputError where one does not fit, or is of nobody."""
+    changes, wrong = fitted(source, exam, [(each.file, each.student) for each in graded])
+    changed = []
+    for each in graded:
+        found = changes.of(*names_of(exam, each.file, each.student)) if each.marking is not None else None
+        try:
+            changed.append(each if found is None else with_changes(each, found))
+        except Fault as fault:
+            wrong += fault.diagnostics
+    if wrong:
+        raise InputError(source, wrong)
+    return tuple(changed)
 
 
 def _handed_in(answers: Answers, exam: Exam) -> list[HandedIn]:
