@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Generic, Protocol, TypeVar
 
 from solver.limits import Limits
-from solver.papers.families import Made, Member, Wanted
+from solver.papers.families import Made, Wanted
 from solver.papers.judging import Rejection
 from solver.papers.plain import NotPlain, as_plain, of_plain
 from solver.papers.search import Search
@@ -107,12 +107,12 @@ def drawn_before(kept: Kept, search: Search, count: int) -> Sequence[tuple[Mappi
     return found
 
 
-def keep_drawn(kept: Kept, search: Search, count: int, members: Sequence[Member]) -> None:
-    """Keep the members that a search found, if there are any; not where there may be more with other limits."""
+def keep_drawn(kept: Kept, search: Search, count: int, members: Sequence[tuple[Mapping[str, str], str]]) -> None:
+    """Keep values and texts of the members that a search found, if any; not where other limits may give more."""
     if not members or (len(members) < count and any(each.is_by_limits for each in search.rejections)):
         return
     rejected = [[why.why, why.own, times] for why, times in search.rejections.items()]
-    found = [[dict(each.values), each.text] for each in members]
+    found = [[dict(values), text] for values, text in members]
     data = {"draws": search.draws, "choices": search.count, "rejected": rejected, "members": found}
     kept.put(data, *_facts_of_search(search, count))
 

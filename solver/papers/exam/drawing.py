@@ -12,12 +12,16 @@ from solver.document.model import Presentation
 from solver.executors import Executor, Processes
 from solver.limits import Exceeded, Limits
 from solver.papers.exam.model import Exam, Question
+from solver.papers.exam.packed import Packed
 from solver.papers.exam.telling import Asked, QuestionMade, question_made
 from solver.papers.families import Made, all_made, members
 from solver.papers.kept import NOTHING, Kept, MadeBefore, drawn_before, facts_of, keep_drawn
 from solver.papers.search import MOST_DRAWS, Search, Tell
 from solver.papers.telling import shortage
 from solver.problem.source import InputError
+
+AT_ONCE = 64
+"""So many questions made before are opened at a time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +48,12 @@ class Drawn:
     question: Question
     values: Mapping[str, str]
     text: str
-    made: QuestionMade
+    packed: Packed
+
+    @property
+    def made(self) -> QuestionMade:
+        """What was made of it: opened anew each time."""
+        return self.packed.opened()
 
 
 def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) -> list[list[Drawn]]:
@@ -56,7 +65,7 @@ def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) ->
     count, found = len(exam.variants), dict[int, list[Drawn]]()
     fixed = [each for each in exam.questions if each.problem.family is None]
     for question, made in _alike(exam, fixed, means, tell):
-        found[question.number] = [Drawn(question, {}, question.source.text, made)] * count
+        found[question.number] = [Drawn(question, {}, question.source.text, Packed.of(made))] * count
     done = len(fixed)
     for question in exam.questions:
         if question.problem.family is not None:
@@ -109,21 +118,25 @@ def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tel
     found = _drawn_before(question, search, count, means)
     if not found:
         asked, name = asked_of(question, means), f"question-{question.number}"
-        new = list(members(search, count, asked, name, question_made, _memory(question, means)))
-        keep_drawn(means.kept, search, count, new)
-        found = [Drawn(question, each.values, each.text, _question(each.made)) for each in new]
+        new = members(search, count, asked, name, question_made, _memory(question, means))
+        found = [Drawn(question, each.values, each.text, Packed.of(_question(each.made))) for each in new]
+        keep_drawn(means.kept, search, count, [(each.values, each.text) for each in found])
     return in_turn(exam, question, search, found, count)
 
 
 def _drawn_before(question: Question, search: Search, count: int, means: Means) -> list[Drawn]:
     """Return the members that the same search found before; none where they must be searched."""
-    drawn_then = drawn_before(means.kept, search, count)
-    calls = [(text, question.source.name, asked_of(question, means)) for _, text in drawn_then]
-    limits = _limits(means, _parts(question))
-    made = all_made(means.executor, limits, question_made, calls, _memory(question, means))
-    if not all(isinstance(each, QuestionMade) and each.status is Status.VERIFIED for each in made):
-        return []  # a limit was met, say: the search says it
-    return [Drawn(question, values, text, each) for (values, text), each in zip(drawn_then, made, strict=True)]
+    drawn_then, found = drawn_before(means.kept, search, count), list[Drawn]()
+    asked, limits = asked_of(question, means), _limits(means, _parts(question))
+    for start in range(0, len(drawn_then), AT_ONCE):
+        some = drawn_then[start : start + AT_ONCE]
+        calls = [(text, question.source.name, asked) for _, text in some]
+        made = all_made(means.executor, limits, question_made, calls, _memory(question, means))
+        if not all(isinstance(each, QuestionMade) and each.status is Status.VERIFIED for each in made):
+            return []  # a limit was met, say: the search says it
+        told = zip(some, made, strict=True)
+        found += [Drawn(question, values, text, Packed.of(each)) for (values, text), each in told]
+    return found
 
 
 def _question(made: Made) -> QuestionMade:

@@ -51,8 +51,8 @@ def files_of(
     """
     pairs = list(zip(exam.variants, variants, strict=True))
     there = {variant.label for variant in exam.variants if is_there(variant)}
-    calls = [(paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
-             for pair in pairs if pair[0].label not in there]  # fmt: skip
+    calls = ((paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
+             for pair in pairs if pair[0].label not in there)  # fmt: skip
     limits = means.limits.times(2 * len(exam.questions))
     results = means.executor.in_order(limits, _written, calls)
     for variant in exam.variants:
@@ -143,16 +143,17 @@ def _text(marks: Any) -> str:
 
 def answer_file(exam: Exam, named: str, variant: Variant, questions: Sequence[Drawn]) -> str:
     """Return the file that a student fills in; `named` is the exam as it is found from there."""
-    say = questions[0].made.paper.messages.say if questions[0].made.paper else str
+    made = [each.made for each in questions]
+    say = made[0].paper.messages.say if made[0].paper else str
     lines = [*comment(exam.title), *comment(say(HOW))]
     lines += [" ".join(["exam:", quoted(named)])] if named else []
     lines += [f"variant: {variant.number}"]
     lines += [f"student: {quoted(variant.student)}" if variant.student else "student:", "answers:"]
-    for each in questions:
+    for each, told in zip(questions, made, strict=True):
         number = each.question.number
         heading = say(Phrase("Question {number}", number=number))
         lines += ["", *comment(f"{heading}. {each.question.title}".removesuffix(" "), "  ")]
-        lines += [f"  {number}:", *(f"  {line}" if line else line for line in each.made.sheet)]
+        lines += [f"  {number}:", *(f"  {line}" if line else line for line in told.sheet)]
     return "\n".join(lines) + "\n"
 
 
