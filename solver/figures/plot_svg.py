@@ -10,11 +10,13 @@ from typing import Any
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.backends.backend_svg import RendererSVG
 from matplotlib.figure import Figure as Canvas
+from matplotlib.textpath import text_to_path
 
 from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
 from solver.figures.palette import AREA, COLOURS, GRID, INK, PAPER, SIGNS, SOFT, dark_style
-from solver.figures.room import BELOW, give_room
+from solver.figures.room import BELOW, POINTS, give_room
 
 DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)))
 LINES: dict[str, Any] = {"dashed": (0, (4, 3)), "dashed arrow": (0, (4, 3)), "arc": (0, (1, 1.5))}
@@ -221,7 +223,13 @@ def math(latex: str) -> str:
 def svg_of(canvas: Canvas) -> str:
     """Return a canvas as an SVG element, with its colours for the dark and without what stands before it."""
     content = io.StringIO()
-    canvas.savefig(content, format="svg", metadata={"Date": None, "Creator": None})
+    canvas.set_dpi(POINTS)
+    width, height = (POINTS * side for side in canvas.get_size_inches())
+    write: Any = RendererSVG
+    renderer = write(width, height, content, metadata={"Date": None, "Creator": None})
+    renderer._text2path = text_to_path  # which knows the formulas of earlier figures: to set them takes longest
+    canvas.draw(renderer)
+    renderer.finalize()
     document = content.getvalue()
     begin = document.index("<svg")
     end = document.find(">", begin) + 1

@@ -1,20 +1,24 @@
 """What stands in the drawings, on the screen and on paper: each item of a layout, each curve, in its place and look."""
 
+import io
 import re
 from itertools import pairwise
 
 import numpy as np
 import pytest
 import sympy as sp
+from matplotlib import _mathtext
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure as Canvas
 from matplotlib.patches import Circle, Rectangle
 
 from solver import figures
 from solver.derivation.figures import Curve, Diagram, DrawnCurve, DrawnPlot, Mark, Plot
+from solver.figures import plot_svg
 from solver.figures.drawing import drawing_of
 from solver.figures.layout import HEIGHT, RADIUS, Block, Dot, Label, Layout, Sum, Wire
 from solver.figures.layouts import LAYOUTS
+from solver.figures.palette import dark_style
 from solver.figures.plot_svg import middle
 from solver.figures.sampling import sampled
 
@@ -29,7 +33,7 @@ def axes_of(monkeypatch):
 
     def of(figure):
         seen = []
-        monkeypatch.setattr(Canvas, "savefig", lambda canvas, file, **_: (seen.append(canvas), file.write("<svg")))
+        monkeypatch.setattr(Canvas, "draw", lambda canvas, _: seen.append(canvas))
         figures.svg(figure if isinstance(figure, DrawnPlot) else drawing_of(figure))
         (canvas,) = seen
         (axes,) = canvas.axes
@@ -285,3 +289,23 @@ def test_values_beyond_all_bounds_are_left_out():
 def test_bounds_have_room_for_names():
     layout = Layout([Label(1, 2, "x")])
     assert layout.bounds == pytest.approx((1 - 0.45, 1 + 0.45, 2 - 0.55, 2 + 0.55))
+
+
+def test_it_is_written_as_matplotlib_writes_it(monkeypatch):
+    def saved(canvas):
+        content = io.StringIO()
+        canvas.savefig(content, format="svg", metadata={"Date": None, "Creator": None})
+        return content.getvalue()
+
+    drawn = drawing_of(Plot("", r"\omega", "y", t, 0, 3, (Curve(sp.sin(t), "a"), Curve(t, "b"))))
+    ours = figures.svg(drawn)
+    monkeypatch.setattr(plot_svg, "svg_of", saved)
+    theirs = figures.svg(drawn)
+    assert ours.replace(dark_style(), "") == theirs[theirs.index("<svg") :]
+
+
+def test_formulas_are_set_once_for_all_figures(monkeypatch):
+    drawn = drawing_of(Plot("", r"\alpha\ \text{of a wing}", "y", t, 0, 3, (Curve(sp.sin(t)),)))
+    first = figures.svg(drawn)
+    monkeypatch.setattr(_mathtext.Parser, "parse", lambda *_: pytest.fail("set anew"))
+    assert figures.svg(drawn) == first
