@@ -32,6 +32,7 @@ from benchmarks import (
     matrix_exponential,
     mechanics,
     multivariable,
+    pages,
     pole_placement,
     regulators,
     root_locus,
@@ -68,6 +69,7 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
     if chosen in (None, "classical"):
         yield from root_locus.rows()
         yield from frequency.rows()
+        yield from pages.rows()
     if chosen in (None, "analog"):
         yield from analog.rows()
     if chosen in (None, "command"):
