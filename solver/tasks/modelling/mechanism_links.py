@@ -90,7 +90,7 @@ class Mechanics:
         """Yield the functions of time that a position depends on, with its derivatives."""
         for q in self.moving:
             slope = (exact.partial(position[0], q), exact.partial(position[1], q))
-            if slope != (0, 0):
+            if any(each != 0 for each in slope):
                 yield q, slope
 
     def _link(self, number: int, joint: Jointed) -> None:
