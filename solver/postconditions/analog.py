@@ -9,6 +9,11 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation import Check, Claim
+from solver.lazy import numeric
+from solver.numeric.evaluation.arithmetic import DOUBLE
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.values import SAFETY
 from solver.stated.algebra import product
 from solver.stated.calculus import derivative, value_at
 
@@ -103,9 +108,19 @@ def of_largest_size(found: Any, equations: Any, terms: Any) -> Iterator[Claim | 
     size = float(sp.N(found.value, 20))
     latest = 4.0 * float(sp.N(found.time, 20)) if found.time else 20.0
     times = np.linspace(0.0, latest, 401)[1:]
-    values = np.abs(np.array([complex(sp.N(found.motion.subs(TIME, sp.Float(t, 20)), 15)).real for t in times[::10]]))
+    values = _sizes(found.motion, times[::10], SEEN / 10 * size)
     yield Check.that("the largest size", "sampled", bool(np.all(values <= size * (1 + SEEN) + 1e-12)))
     if found.kind in ("start", "zero"):
         yield Claim(sp.Abs(start), found.value)
     elif found.kind == "peak":
         yield Claim(sp.Abs(found.motion.subs(TIME, found.time)), found.value)
+
+
+def _sizes(motion: Any, times: Any, within: float) -> Any:
+    """The sizes of a motion at some times; with more digits where doubles do not show them to within so much."""
+    found = value_of(motion, Environment.at([{TIME: complex(t)} for t in times]))
+    sizes = np.array(np.broadcast_to(np.abs(np.real(found.value)), times.shape))
+    unsure = np.broadcast_to(SAFETY * DOUBLE.eps * found.magnitude > within, times.shape)
+    for i in np.flatnonzero(unsure):
+        sizes[i] = abs(numeric.evaluate(motion, {TIME: complex(times[i])}).real)
+    return sizes

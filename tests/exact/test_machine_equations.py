@@ -1,10 +1,14 @@
 """Machine equations, their scaling, and the largest sizes of their variables."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sp
 
-from solver import exact
+from solver import exact, numeric
+from solver.derivation import Check, CheckStatus
+from solver.postconditions.analog import _sizes, of_largest_size
 
 x, v, u, y = sp.symbols("x x_dot u y", real=True)
 t, tau, beta = sp.Symbol("t"), sp.Symbol("tau"), sp.Symbol("beta", positive=True)
@@ -64,9 +68,8 @@ def test_no_sample_is_larger_than_the_largest_size(value, start, kind):
     found = exact.largest_size(equations, {x: sp.S.One})
     motion = exact.motions_of(equations)[x]
     assert found.kind == kind or kind == "swing"
-    samples = [abs(complex(sp.N(motion.subs(t, sp.Rational(i, 50) + sp.Rational(1, 999)))).real) for i in range(600)]
-    assert max(samples) <= float(found.value) * (1 + 1e-9)
-    assert max(samples) >= float(found.value) * (1 - 1e-2)
+    samples = np.abs(numeric.values_at(motion, t, np.arange(600) / 50 + 1 / 999))
+    assert float(found.value) * (1 - 1e-2) <= max(samples) <= float(found.value) * (1 + 1e-9)
 
 
 def test_several_frequencies_are_searched_over_their_period():
@@ -82,6 +85,36 @@ def test_what_grows_has_no_largest_size(rate, value):
     equations = exact.machine_equations({x: rate + (u if value is not None else 0)}, [sp.S.One], {}, {u: value})
     with pytest.raises(exact.Unbounded):
         exact.largest_size(equations, {x: sp.S.One})
+
+
+def chain(n):
+    """A companion plant with the eigenvalues −1 … −n, driven by 1: its motion is a difference of large terms."""
+    states = sp.symbols(f"x1:{n + 1}", real=True)
+    low = sp.Poly(sp.prod([beta + i for i in range(1, n + 1)]), beta).all_coeffs()[:0:-1]
+    last = u - sum(c * each for c, each in zip(low, states, strict=True))
+    rates = dict(zip(states, [*states[1:], last], strict=True))
+    return states, exact.machine_equations(rates, [sp.S.Zero] * n, {}, {u: sp.S.One})
+
+
+def test_what_is_sampled_of_a_long_chain_is_no_larger():
+    states, equations = chain(9)
+    terms = {states[-1]: sp.S.One}
+    found = exact.largest_size(equations, terms)
+    assert all(each.status is CheckStatus.PASSED for each in postcondition(found, equations, terms))
+    smaller = replace(found, value=found.value * sp.Rational(4, 5))
+    assert postcondition(smaller, equations, terms)[0].status is CheckStatus.FAILED
+
+
+def test_samples_are_taken_with_more_digits_where_terms_cancel():
+    states, equations = chain(9)
+    motion = exact.largest_size(equations, {states[0]: sp.S.One}).motion
+    times = np.array([0.01, 0.3, 2.0])
+    expected = [abs(float(sp.N(motion.subs(t, sp.Rational(each)), 15))) for each in times]
+    assert np.allclose(_sizes(motion, times, 1e-22), expected, rtol=1e-11, atol=0)
+
+
+def postcondition(found, equations, terms):
+    return [each for each in of_largest_size(found, equations, terms) if isinstance(each, Check)]
 
 
 def test_parameters_leave_the_largest_size_open():

@@ -10,7 +10,7 @@ import cmath
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 from itertools import pairwise
 from math import factorial, lcm, pi
 from typing import Any, NamedTuple
@@ -52,12 +52,17 @@ class Motion:
 
     def value(self, t: Any, order: int = 0, *, before: bool = False, precise: bool = False) -> Any:
         """The value (or the slope: order 1) at a time; `before` what begins then."""
-        exponential = mpmath.exp if precise else cmath.exp
-        begun = [(d, m) for d, m in self.pieces if d < t or (d == t and not before)]
+        begun = [i for i, (d, _) in enumerate(self.pieces) if d < t or (d == t and not before)]
         if precise:
-            return sum((value_of_modes(m, t - d, order, exponential) for d, m in begun), mpmath.mpf(0))
-        rough = (([(complex(r), j, complex(c)) for r, j, c in m], float(t - d)) for d, m in begun)
-        return float(sum(value_of_modes(m, since, order, exponential) for m, since in rough))
+            modes = ((self.pieces[i][1], t - self.pieces[i][0]) for i in begun)
+            return sum((value_of_modes(m, since, order, mpmath.exp) for m, since in modes), mpmath.mpf(0))
+        rough = ((self._rough[i], float(t - self.pieces[i][0])) for i in begun)
+        return float(sum(value_of_modes(m, since, order, cmath.exp) for m, since in rough))
+
+    @cached_property
+    def _rough(self) -> list[list[Mode]]:
+        """The modes of each piece in doubles: they are sampled thousands of times."""
+        return [[(complex(r), j, complex(c)) for r, j, c in modes] for _, modes in self.pieces]
 
 
 class Sustained(NamedTuple):
