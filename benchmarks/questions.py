@@ -14,7 +14,7 @@ LARGEST = {
     "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
     "smith_mcmillan_form": 5, "relative_gain_array": 5, "root_locus": 4, "pid_tuning": 2, "second_order_parameters": 2,
     "step_specifications": 2, "z_transform": 4, "difference_equation": 4, "ragazzini": 2,
-    "op_amp_stage": 8, "analog_program": 8,
+    "op_amp_stage": 8,
 }  # fmt: skip
 """Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 
@@ -206,7 +206,7 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "difference_equation": lambda _: {"input": "{u: 1}", "initial": '{"x1(0)": 1}'},
     "differential_equation": lambda _: {"input": '{u: "exp(-t)"}', "initial": "{x1: 1}"},
     "amplitude_scaling": lambda _: {"input": "{u: 1}"},
-    "analog_program": lambda _: {"input": "{u: 1}", "time_scale": "10"},
+    "analog_program": lambda _: {"input": "{u: 1}", "time_scale": "100"},
     "minimum_energy_control": lambda n: {"initial_state": str([1] * n), "final_time": "1"},
 }
 """What a question needs beside the plant, by the order of the plant."""
