@@ -90,7 +90,7 @@ class OwnAnswers:
             if value is None or not formula.symbolic or not 0 < len(decimals) <= MOST_LETTERS:
                 return None if value is None else _plain(value)
             form = self._carried_out(formula, [source.form for source in sources])
-            return Submitted(value, form, decimals)
+            return Submitted(value, form, decimals) if form is not None else _plain(value)
         except (*STRANGE, Told):  # the formula has no meaning for these values
             return None
 
