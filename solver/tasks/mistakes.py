@@ -24,6 +24,7 @@ MINUS_DETERMINANT = Slip("minus_determinant", r"it is $\det(A - \lambda I)$, not
 OF_THE_NEGATIVE = Slip("sign", "it is the inverse of $A - sI$")
 NOT_ATTAINABLE = Slip("not_attainable", "these are the vectors asked for, and not all of them are attainable")
 NOT_DIVIDED = Slip("adjugate", "this is the adjugate; it is not yet divided by the determinant")
+OPEN_LOOP = Slip("open_loop", "it is that of $CG$, of the loop that is not closed")
 OTHER_SIDE = Slip("left_right", "left and right eigenvectors are exchanged")
 ENTRY_BY_ENTRY = Slip("entrywise", "the function is taken of each entry; it is a function of the matrix")
 WITHOUT_INITIAL_STATE = Slip("without_initial_state", "the initial state is forgotten")
@@ -74,3 +75,8 @@ def diagonal_entries(wrong: Attempt[StateSpace, Options]) -> Iterable[Any]:
 def negative(wrong: Attempt[Any, Options]) -> Iterable[Any]:
     """The gain of the other sign."""
     yield -wrong.ours
+
+
+def not_closed(system: Any, options: Any) -> tuple[Any, Any] | None:
+    """The question about C G, for one about the closed loop."""
+    return None if options.feedback is None else (system, replace(options, feedback=None))

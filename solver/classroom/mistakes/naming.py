@@ -38,9 +38,14 @@ def what_went_wrong(
 ) -> Slip | None:
     """Return the mistake that leads to a wrong value, None where none of the usual ones does."""
     ours = question.ours.get(name)
-    if question.task.answers[name].count or isinstance(ours, bool | str) or not _telling(submitted.value):
+    whole = is_scalar(submitted.value) and submitted.value.is_Integer and submitted.value != 0
+    if isinstance(ours, bool | str):
         return None
     case = Case(part, question, name, ours, results, earlier)
+    if whole:  # many ways lead to a whole number by chance; those that the task names are few
+        return next(_own(case, submitted.with_digits(question.digits)), None)
+    if question.task.answers[name].count or not _telling(submitted.value):
+        return None
     return next(_found(case, submitted.with_digits(question.digits)), None)
 
 
@@ -58,6 +63,15 @@ def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
     yield from (slip for slip, holds in ALIKE if _holds(holds, submitted, case))
     for slip, found in changed_questions(case.part, case.earlier):
         if _answers_changed(case, submitted, *found):
+            yield slip
+
+
+def _own(case: Case, submitted: Submitted) -> Iterator[Slip]:
+    """Yield the task's own mistakes that lead to the value, the question that it may be taken for among them."""
+    yield from _leading_to(case, submitted, values_of(case))
+    own = {mistake.slip for mistake in case.question.task.mistaken_questions}
+    for slip, found in changed_questions(case.part, case.earlier):
+        if slip in own and _answers_changed(case, submitted, *found):
             yield slip
 
 

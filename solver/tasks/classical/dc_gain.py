@@ -27,6 +27,7 @@ from solver.numeric.judges import classical as judges
 from solver.stated.algebra import power, product, quotient
 from solver.stated.calculus import value_at
 from solver.tasks.classical.paths import Path, path_of, quietly, stated_path
+from solver.tasks.mistakes import OPEN_LOOP, not_closed
 from solver.tasks.plant_options import LoopOptions
 
 if TYPE_CHECKING:
@@ -142,3 +143,6 @@ def upside_down(wrong: Attempt[Plant, LoopOptions]) -> Iterable[Expr]:
     """1/G(0)."""
     if wrong.ours.is_finite and wrong.ours != 0:
         yield 1 / wrong.ours
+
+
+dc_gain.mistaken_question(OPEN_LOOP)(not_closed)

@@ -28,6 +28,7 @@ from solver.stated.algebra import product, quotient
 from solver.tasks import meanings
 from solver.tasks.classical.paths import Path, numbers_of, path_of, quietly, stated_path
 from solver.tasks.figures import plane, roots
+from solver.tasks.mistakes import OPEN_LOOP, not_closed
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.lowest_terms import from_roots
 from solver.words import Reason
@@ -210,3 +211,6 @@ def value_at_one_of_them(wrong: Attempt[Plant, LoopOptions]) -> Reason | None:
 def value_at_a_point(wrong: Attempt[Plant, LoopOptions]) -> Reason | None:
     """Its value and that of the given function."""
     return meanings.at_a_point(wrong.value, stated_path(wrong.given.system))
+
+
+pole_zero_form.mistaken_question(OPEN_LOOP)(not_closed)

@@ -29,6 +29,7 @@ from solver.stated.calculus import value_at
 from solver.tasks.classical import damping_mistakes
 from solver.tasks.classical.sampled_second_order import sampled_second_order
 from solver.tasks.figures import plane, roots
+from solver.tasks.mistakes import OPEN_LOOP, not_closed
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
@@ -243,3 +244,6 @@ def case_of_the_ratio(_given: Given[Polynomial, SecondOrderOptions], found: Mapp
     """Undamped for ζ = 0, underdamped for 0 < ζ < 1, critically damped for ζ = 1, overdamped above."""
     zeta = found["damping_ratio"]
     return WORDS[0] if zeta == 0 else WORDS[1] if 0 < zeta < 1 else WORDS[2] if zeta == 1 else WORDS[3]
+
+
+second_order_parameters.mistaken_question(OPEN_LOOP)(not_closed)

@@ -17,6 +17,7 @@ from solver.tasks.classical.paths import Path, numbers_of, path_of
 from solver.tasks.classical.sampled_measures import sampled
 from solver.tasks.classical.step_formulas import BANDS, by_second_order
 from solver.tasks.classical.step_measures import measured
+from solver.tasks.mistakes import OPEN_LOOP, not_closed
 from solver.tasks.plant_options import LoopOptions
 
 if TYPE_CHECKING:
@@ -150,3 +151,6 @@ LABELS = {
     "settling_time": "when it is settled",
     "final_value": "where it settles",
 }
+
+
+step_specifications.mistaken_question(OPEN_LOOP)(not_closed)

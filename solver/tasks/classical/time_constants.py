@@ -25,6 +25,7 @@ from solver.numeric.judges import classical as judges
 from solver.stated.algebra import quotient
 from solver.stated.complex_numbers import absolute, real_part
 from solver.tasks.classical.paths import numbers_of, path_of, poles_of, quietly
+from solver.tasks.mistakes import OPEN_LOOP, not_closed
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Phrase
 
@@ -164,3 +165,6 @@ def in_samples(wrong: Attempt[Plant, LoopOptions]) -> Iterable[list[Expr]]:
 
 def _modes(given: Given[Plant, LoopOptions]) -> Iterable[exact.DecayMode]:
     return exact.decay(quietly(poles_of(quietly(path_of(given)))), _period(given)).modes
+
+
+time_constants.mistaken_question(OPEN_LOOP)(not_closed)

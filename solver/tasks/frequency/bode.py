@@ -42,6 +42,8 @@ UNSCALED = Slip(
 )
 OCTAVE = Slip("octave", "the slopes are in dB an octave; dB a decade are asked for")
 TEN_LOG = Slip("ten_log", "10 log is taken; of an amplitude it is 20 log")
+POWERS = Slip("powers", "this counts poles and zeros; each makes 20 dB a decade")
+BENDS = Slip("bends", "zeros and poles are exchanged at the corners: a pole bends the asymptote down")
 REVERSED = Slip("reversed", "zeros and poles are exchanged: a pole bends the asymptote down")
 
 
@@ -170,6 +172,18 @@ def an_octave(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
 def half_of_it(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
     """10 dB for 20 dB."""
     yield [each / 2 for each in wrong.ours]
+
+
+@bode.mistake(POWERS, "slopes")
+def in_powers(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
+    """1 for 20 dB a decade."""
+    yield [each / 20 for each in wrong.ours]
+
+
+@bode.mistake(BENDS, "slopes")
+def bent_the_other_way(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
+    """From the first slope on up for poles and down for zeros."""
+    yield [2 * wrong.ours[0] - each for each in wrong.ours]
 
 
 @bode.mistake(REVERSED, "slopes")

@@ -23,6 +23,7 @@ HALF_TURN_LESS = Slip("half_turn_sign", "the phase is subtracted from 180°; it 
 TEN_LOG = Slip("ten_log", "10 log is taken; of an amplitude it is 20 log")
 DECIBELS = Slip("decibels", "this is the value in dB; the ratio is asked for")
 RATIO = Slip("ratio", "this is the ratio; the value in dB is asked for")
+NATURAL_LOG = Slip("natural_log", "the natural logarithm is taken; decibels are 20 log to the base 10")
 INVERTED = Slip("inverted", "this is |L| at the crossover; the margin is 1/|L|")
 HERTZ = Slip("hertz", "the frequency is in Hz; rad/s are asked for")
 OTHER = Slip("other_crossover", "the gain crossover and the phase crossover are exchanged")
@@ -42,6 +43,7 @@ def register(task: Task[OpenLoop, LoopOptions]) -> None:
     task.mistake(NO_HALF_TURN, "phase_margin")(the_phase)
     task.mistake(HALF_TURN_LESS, "phase_margin")(the_phase_subtracted)
     task.mistake(TEN_LOG, "gain_margin_db")(half_the_decibels)
+    task.mistake(NATURAL_LOG, "gain_margin_db")(by_natural_logarithm)
     task.mistake(DECIBELS, "gain_margin")(in_decibels)
     task.mistake(RATIO, "gain_margin_db")(as_a_ratio)
     task.mistake(INVERTED, "gain_margin", "gain_margin_db")(inverted)
@@ -67,9 +69,10 @@ def in_radians(wrong: Wrong) -> Iterable[Any]:
 
 
 def the_phase(wrong: Wrong) -> Iterable[Any]:
-    """∠L at the crossover."""
+    """∠L at the crossover, also without its sign."""
     if _finite(wrong):
         yield wrong.ours - 180
+        yield 180 - wrong.ours
 
 
 def the_phase_subtracted(wrong: Wrong) -> Iterable[Any]:
@@ -82,6 +85,13 @@ def half_the_decibels(wrong: Wrong) -> Iterable[Any]:
     """10 log of the ratio."""
     if _finite(wrong):
         yield wrong.ours / 2
+
+
+def by_natural_logarithm(wrong: Wrong) -> Iterable[Any]:
+    """ln of the ratio, 20 ln of it."""
+    ratio = wrong.answers["gain_margin"]
+    if _finite(wrong) and ratio.is_positive:
+        yield from (factor * sp.N(sp.log(ratio), 30) for factor in (1, 20))
 
 
 def in_decibels(wrong: Wrong) -> Iterable[Any]:

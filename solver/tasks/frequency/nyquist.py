@@ -45,6 +45,7 @@ nyquist.refusal(needs_a_sampling_period)
 REVERSED = Slip("direction", "the direction is reversed: clockwise turns are positive")
 HALF = Slip("half_of_the_curve", "only the half of the curve for ω > 0 is counted")
 SUBTRACTED = Slip("subtracted", "it is Z = N + P, not N − P or P − N")
+ON_THE_AXIS = Slip("on_the_axis", "poles on the axis are counted; the path leaves them outside, so they are not in P")
 OPEN_LOOP = Slip("open_loop", "that is said of L; the closed loop is asked for")
 
 
@@ -176,6 +177,15 @@ def in_the_other_direction(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[An
 def of_half_the_curve(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
     """N/2."""
     yield wrong.ours / 2
+
+
+@nyquist.mistake(ON_THE_AXIS, "open_loop_unstable_poles")
+def with_those_on_the_axis(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
+    """The poles to the right and on the axis."""
+    loop = wrong.given.system
+    counts = exact.root_counts(sp.Poly(loop.denominator, loop.variable).all_coeffs(), discrete=loop.discrete)
+    if counts is not None and counts.on:
+        yield sp.Integer(counts.outside + counts.on)
 
 
 @nyquist.mistake(SUBTRACTED, "closed_loop_unstable_poles")

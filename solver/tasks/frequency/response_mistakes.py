@@ -25,6 +25,11 @@ HERTZ = Slip("hertz", "the frequency is in Hz; rad/s are asked for")
 NORMALIZED = Slip("rad_per_sample", "this is ωT, the frequency in rad per sample; rad/s are asked for")
 POINT_JW = Slip("jw_put_into_z", "jω is put in for z; on the unit circle it is e^{jωT}")
 WITHOUT_T = Slip("period_left_out", "T is missing in e^{jωT}")
+QUADRANT = Slip("quadrant", "the arctangent alone tells the angle up to 180° only: the quadrant is not looked at")
+TEN_LOG = Slip("ten_log", "10 log is taken; of an amplitude it is 20 log, and the ratio is asked for")
+WITHOUT_PHASE = Slip("without_phase", "the phase is missing")
+DEGREES = Slip("degrees", "the phase in degrees stands beside $\\omega t$, which is in radians")
+OF_T = Slip("amplitude", "the magnitude is not multiplied by the amplitude of the input")
 OPEN_LOOP = Slip("open_loop", "this is the answer of the open loop")
 
 
@@ -33,6 +38,11 @@ def register(task: Task[OpenLoop, ResponseOptions]) -> None:
     task.mistake(RADIANS, "phase", "resonant_phase")(in_radians)
     task.mistake(SIGN, "phase", "resonant_phase")(reversed_sign)
     task.mistake(DECIBELS, "magnitude", "resonant_peak")(in_decibels)
+    task.mistake(TEN_LOG, "magnitude", "resonant_peak")(half_the_decibels)
+    task.mistake(QUADRANT, "phase", "resonant_phase")(half_a_turn_away)
+    task.mistake(WITHOUT_PHASE, "y_steady_state")(without_phase)
+    task.mistake(DEGREES, "y_steady_state")(with_degrees)
+    task.mistake(OF_T, "y_steady_state")(of_an_amplitude_of_one)
     task.mistake(SQUARED, "magnitude", "resonant_peak")(squared)
     task.mistake(HERTZ, "resonant_frequency", "bandwidth")(in_hertz)
     task.mistake(NORMALIZED, "resonant_frequency", "bandwidth")(in_rad_per_sample)
@@ -55,6 +65,42 @@ def in_decibels(wrong: Wrong) -> Iterable[Any]:
     """20 log₁₀ |T|."""
     if wrong.ours.is_number:
         yield exact.in_decibels(wrong.ours)
+
+
+def half_the_decibels(wrong: Wrong) -> Iterable[Any]:
+    """10 log₁₀ |T|."""
+    if wrong.ours.is_number:
+        yield exact.in_decibels(wrong.ours) / 2
+
+
+def half_a_turn_away(wrong: Wrong) -> Iterable[Any]:
+    """The angle whose tangent is the same, and that of the opposite sign."""
+    if wrong.ours.is_number:
+        other = wrong.ours + (180 if wrong.ours <= 0 else -180)
+        yield from (other, -other)
+
+
+def _steady_with(wrong: Wrong, shift: Any) -> Iterable[Any]:
+    """The steady answer with another phase: radians, counted from that of the input."""
+    ours, phase = wrong.ours, wrong.answers["phase"] * sp.pi / 180
+    for wave in ours.atoms(sp.sin, sp.cos):
+        yield ours.xreplace({wave: wave.func(wave.args[0] - phase + shift)})
+
+
+def without_phase(wrong: Wrong) -> Iterable[Any]:
+    """The input's own phase."""
+    yield from _steady_with(wrong, sp.S.Zero)
+
+
+def with_degrees(wrong: Wrong) -> Iterable[Any]:
+    """The number of degrees for radians."""
+    yield from _steady_with(wrong, wrong.answers["phase"])
+
+
+def of_an_amplitude_of_one(wrong: Wrong) -> Iterable[Any]:
+    """|T| as the amplitude."""
+    for wave in wrong.ours.atoms(sp.sin, sp.cos):
+        yield wrong.answers["magnitude"] * wave
 
 
 def squared(wrong: Wrong) -> Iterable[Any]:

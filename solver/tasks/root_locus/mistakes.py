@@ -29,6 +29,7 @@ ADDED = Slip("zeros_added", "the zeros are added; their sum is subtracted from t
 TURNED = Slip("zeros_first", "the sum of the poles is subtracted from that of the zeros; it is the other way round")
 CANDIDATES = Slip("not_on_the_locus", "all candidates are listed; those with K < 0 or complex K do not belong")
 SIGN = Slip("departure_sign", "the sign is reversed: angles of zeros and of poles are taken the other way round")
+RADIANS = Slip("radians", "the angles are in radians; degrees are asked for")
 AXIS = Slip("axis_for_circle", "that is the imaginary axis; in the z-plane the unit circle bounds what is stable")
 HALF_TURN = Slip("half_turn", "the 180° of the angle condition are missing")
 
@@ -40,6 +41,7 @@ ROUGH = 1e-2
 def register(task: Task[CharacteristicEquation, RootLocusOptions]) -> None:
     """Register what goes wrong, and what tells a wrong point."""
     task.mistake(OTHER, "asymptote_angles")(other_multiples)
+    task.mistake(RADIANS, "asymptote_angles", "departure_angles", "arrival_angles")(in_radians)
     task.mistake(OVER_ALL, "centroid")(divided_by_the_poles)
     task.mistake(ADDED, "centroid")(zeros_added)
     task.mistake(TURNED, "centroid")(zeros_first)
@@ -65,6 +67,13 @@ def other_multiples(wrong: Wrong) -> Iterable[Any]:
     if q > 0:
         yield [sp.Rational(start + 360 * k, q) for k in range(q)]
         yield [sp.Rational(start + 360 * k, q) - (360 if 2 * (start + 360 * k) > 360 * q else 0) for k in range(q)]
+
+
+def in_radians(wrong: Wrong) -> Iterable[Any]:
+    """The angles times π/180, in (−π, π] and in [0, 2π)."""
+    for start in (0, 360):
+        turned = [each + start if each < 0 else each for each in wrong.ours]
+        yield [sp.N(each * sp.pi / 180, 30) for each in turned]
 
 
 def _sums(wrong: Wrong) -> tuple[exact.LocusEquation, exact.Asymptotes] | None:
@@ -94,7 +103,10 @@ def zeros_first(wrong: Wrong) -> Iterable[Any]:
 def all_candidates(wrong: Wrong) -> Iterable[Any]:
     """All roots of N D' − N' D, and all real ones, or their gains."""
     found = [each for each in exact.meetings(_equation(wrong)) if each.why != "zero"]
+    wanted = wrong.answers["breakaway_points"]
     for listed in (found, [each for each in found if each.point.real]):
+        if all(each.point.value in wanted for each in listed):
+            continue  # none is on it that does not belong
         yield [each.point.value if wrong.name == "breakaway_points" else each.gain for each in listed]
 
 

@@ -133,7 +133,7 @@ def _without(p: list[Any], root: Any) -> list[Any]:
 def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequence[Any] | None) -> float:
     """Return how far points are from those where branches meet the boundary for K > 0, and gains from theirs.
 
-    Points are both of each pair, on the axis also frequencies ω; a gain counts once for a pair.
+    Points are both of each pair, on the axis also frequencies ω or ±ω; a gain counts once for a pair, or for each.
     """
     wanted = boundary_points(locus)
     if wanted is None:  # whole branches lie on the boundary; it is reached at its real points only
@@ -147,6 +147,8 @@ def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequen
             return float("inf")
         worst = max(_matched([(point, None) for point in side], wanted) for side in sides)
     if gains is not None:
+        of_pairs = [each for each in wanted if MP.im(each[0]) > NEAR]
+        wanted = [*wanted, *of_pairs] if len(gains) == len(wanted) + len(of_pairs) else wanted
         worst = max(worst, _matched([(None, number(each)) for each in gains], wanted))
     return worst
 
@@ -154,7 +156,7 @@ def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequen
 def _sides(points: Sequence[Any], *, discrete: bool) -> tuple[list[Any], list[Any]] | None:
     """The points above the real axis, those below mirrored, each with the real ones; None where one is off the axis.
 
-    On the axis a real number is a frequency, for both points ±jω.
+    On the axis a real number is a frequency, for both points ±jω, or one of both, ω and −ω.
     """
     upper = [each for each in points if each.imag > NEAR]
     lower = [MP.conj(each) for each in points if each.imag < -NEAR]
@@ -162,7 +164,9 @@ def _sides(points: Sequence[Any], *, discrete: bool) -> tuple[list[Any], list[An
     if discrete:
         return upper + real, lower + real
     off = any(abs(each.real) > NEAR * abs(each) for each in (*upper, *lower))
-    turned = [MP.mpc(0, each.real) for each in real]
+    rising = [each for each in real if each.real >= 0]
+    lone = [each for each in real if each.real < 0 and all(abs(each + other) > NEAR * abs(each) for other in rising)]
+    turned = [MP.mpc(0, each.real) for each in (*rising, *lone)]
     return None if off else (upper + turned, lower + turned)
 
 
@@ -179,7 +183,7 @@ def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> 
             turn = MP.degrees(MP.arg(locus.gain(near)))
             wanted += [((-turn if poles else turn) + 360 * q) / m for q in range(m)]
     found = [number(each) for each in angles]
-    if len(found) == 2 * len(wanted):
+    if len(found) == 2 * len(wanted):  # those of the mirror images too
         wanted += [-each for each in wanted]
     if len(found) != len(wanted):
         return float("inf")
