@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from solver.render.page import render_page
 from solver.resources import root
 from solver.tasks import catalogue
 from tests.helpers.sample_pages import SHORT, TALL, hostile, sample
+from tests.helpers.solved import PROBLEMS, by_problem, document_of_problem
 
 FLAGS = (
     "--no-sandbox",
@@ -213,6 +215,43 @@ def test_real_solutions_with_every_arithmetic_step_fit_a_phone(browser: Any, tmp
     assert visit.page.locator("code.not-drawn").count() == 0
     assert barriers(visit) == []
     visit.context.close()
+
+
+NO_CUE = """() => [...document.querySelectorAll('body *')].filter(box => {
+    const style = getComputedStyle(box);
+    const clipped = box.clientWidth && box.scrollWidth > box.clientWidth + 1 && style.overflowX !== 'visible';
+    return clipped && box.tagName !== 'CAPTION' && !box.closest('math') && !style.backgroundImage.includes('gradient');
+}).map(box => box.outerHTML.slice(0, 200))"""
+
+
+@pytest.mark.parametrize(**by_problem(PROBLEMS, quick=[], of=32))
+def test_nothing_is_clipped_without_a_cue_and_no_heading_ends_a_printed_page(
+    browser: Any, tmp_path: Path, path: Path
+) -> None:
+    document = document_of_problem(path).told(detail="full")
+    page = tmp_path / "page.html"
+    page.write_text(render_page(document), encoding="utf-8")
+    for width in (1100, 420):
+        visit = Visit(browser, page, width, "light")
+        assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+        for clipped in (CUT_OFF, TOO_HIGH, NO_CUE):
+            assert visit.page.evaluate(clipped) == []
+        visit.context.close()
+    visit = Visit(browser, page, 1100, "light")
+    titles = visit.page.evaluate("[...document.querySelectorAll('h1, h2, h3, h4, h5, h6')].map(each => each.innerText)")
+    (tmp_path / "page.pdf").write_bytes(visit.page.pdf(format="A4"))
+    visit.context.close()
+    assert titles_at_ends(tmp_path / "page.pdf", {" ".join(each.split()) for each in titles}) == []
+
+
+def titles_at_ends(pdf: Path, titles: set[str]) -> list[str]:
+    """The titles that are the last line of a page of a PDF; none where nothing is installed that reads it."""
+    reader = shutil.which("pdftotext")
+    if reader is None:
+        return []
+    read = subprocess.run([reader, "-layout", pdf, "-"], capture_output=True, check=True, text=True).stdout
+    pages = [[line for line in page.split("\n") if line.strip()] for page in read.split("\f")[:-1]]
+    return [last for page in pages if page and (last := " ".join(page[-1].split())) in titles]
 
 
 SHEET = """\
