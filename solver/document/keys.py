@@ -6,7 +6,7 @@ A step earns the marks of an answer where it finds its value, or is of a kind th
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,6 +20,9 @@ from solver.render.wording import WordedStep, Wording
 from solver.stated import Stated
 
 DISPLAY = re.compile(r"\$\$\n.+?\n\$\$", re.DOTALL)
+
+_ENTRY = re.compile(r"\$\$\n[a-z]_\{\d+(?:,\s*\d+)?\} = ([^\n]+)\n\$\$")
+"""An entry of a matrix as a line of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +40,10 @@ def key_of(
     kinds = {kind for name in answers for kind in declared[name].earned}
     values = [_Value(each, wording) for each in answers.values()]
     earning = [step for step in worded if step.step.kind in kinds or _finds(step, values)]
-    steps = [replace(step, steps=(), figures=()) for step in earning or worded[-1:]]
+    entries = {
+        wording.tex(entry) for value in answers.values() if isinstance(value, sp.MatrixBase) for entry in value.flat()
+    }
+    steps = [_without_entries(replace(step, steps=(), figures=()), entries) for step in earning or worded[-1:]]
     derived: dict[str, str] = {}
     for name, value in zip(answers, values, strict=True):
         for i, step in reversed(list(enumerate(steps))):
@@ -93,6 +99,14 @@ def _without(step: WordedStep, line: Displayed, wording: Wording) -> tuple[Worde
         return step, ""
     text = step.markdown.replace(block, "").strip()
     return replace(step, markdown=text), formula
+
+
+def _without_entries(step: WordedStep, entries: Collection[str]) -> WordedStep:
+    """Return a step without the lines that tell one entry of a matrix, which the answer has in its place."""
+    blocks = step.markdown.split("\n\n")
+    told = (_ENTRY.fullmatch(block) for block in blocks)
+    kept = [block for block, entry in zip(blocks, told, strict=True) if entry is None or entry[1] not in entries]
+    return replace(step, markdown="\n\n".join(kept)) if kept else step
 
 
 def _tells(step: WordedStep, values: Sequence[_Value]) -> bool:

@@ -95,6 +95,15 @@ def test_a_verdict_is_not_taken_for_a_number():
     assert all("agree" not in step.title for step in part.steps)
 
 
+def test_an_entry_of_a_matrix_is_told_in_the_matrix():
+    pendulum = "{equations: [\"theta'' + sin(theta) + theta' = u\"], inputs: [u]}"
+    part = key("  a: {task: linearization, at: {theta: 0, u: 0}}\n", pendulum).parts[0]
+    lines = "\n".join(step.markdown for step in part.steps)
+    assert r"\frac{\partial f_{2}}{\partial\theta}" in lines
+    assert "a_{21} = " not in lines
+    assert r"\begin{bmatrix}0 & 1 \\ -1 & -1\end{bmatrix}" in told(part)
+
+
 def test_where_no_step_earns_anything_the_last_is_told():
     result = solve_problem(problem("  a: {task: stability}\n")).parts[0]
     wording = Wording(detail="brief")
