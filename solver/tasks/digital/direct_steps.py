@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.denominators import brought_together
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.figures import Motion, Signals
 from solver.lazy import exact
@@ -97,7 +98,7 @@ def _controller(plant: Fraction, found: exact.DirectDesign, z: Symbol) -> Step:
         "forward": Claim(quotient(found.target, found.rest), found.forward, "what D and G are together"),
         "D": Claim(product(inverse, found.forward), found.controller, "the controller"),
     }
-    return Step("controller", claims=claims, z=z)
+    return Step("controller", claims=claims, steps=brought_together([sp.S.One, -found.target], z), z=z)
 
 
 def _roots(p: Sequence[Expr]) -> list[Any]:

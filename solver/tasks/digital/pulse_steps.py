@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.denominators import brought_together
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
@@ -16,7 +17,7 @@ from solver.tasks.transforms.back_transform import Names, denominator_in_factors
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
 
 def pulse_of(plant: Any, T: Expr, *, held: bool, delay: Any = 0) -> Derivation[Any]:
@@ -103,8 +104,22 @@ def _result(found: exact.Pulse, shown: dict[str, Any], late: int) -> Step:
     whole = found.result.expression(z)
     factors = [*([quotient(z - 1, z)] if shown["held"] else []), *([power(z, -late)] if late else [])]
     stated = product(*factors, total(*images)) if images else sp.S.Zero
-    return Step("result", claims={"G": Claim(stated, whole, "the pulse transfer function")}, whole=whole, late=late,
+    lines = brought_together([_less_the_hold(image, z) for image in images], z) if shown["held"] else ()
+    claims = {"G": Claim(stated, whole, "the pulse transfer function")}
+    return Step("result", claims=claims, steps=lines, whole=whole, late=late,
                 seen=bool(images), **shown)  # fmt: skip
+
+
+def _less_the_hold(image: Expr, z: Symbol) -> Expr:
+    """(z − 1)/z times a fraction, what cancels cancelled."""
+    above, below = sp.fraction(image)
+    factors = list(sp.Mul.make_args(below))
+    held = next((each for each in factors if each.as_base_exp()[0] == z - 1), None)
+    if held is not None:
+        factors[factors.index(held)] = held / (z - 1)
+    else:
+        above *= z - 1
+    return sp.expand(above / z) / sp.Mul(*factors)
 
 
 @lemma("pulse_steps")
