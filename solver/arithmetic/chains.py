@@ -57,7 +57,7 @@ def _chains_worked_out(
         lengths=[len(chain) for chain in chains],
     )
     for number, chain in enumerate(chains, 1):
-        yield _chain(N, chain, number if len(chains) > 1 else 0)
+        yield _chain(N, chain, number if len(chains) > 1 else 0, powers)
 
 
 def _entries(left: ImmutableMatrix, right: ImmutableMatrix) -> Stated | str:
@@ -65,10 +65,12 @@ def _entries(left: ImmutableMatrix, right: ImmutableMatrix) -> Stated | str:
     return rows_times_columns(left, right) if is_worked_out(left, right) else ""
 
 
-def _chain(N: ImmutableMatrix, chain: Sequence[ImmutableMatrix], number: int) -> Step:
+def _chain(
+    N: ImmutableMatrix, chain: Sequence[ImmutableMatrix], number: int, powers: Sequence[ImmutableMatrix]
+) -> Step:
     """From the last vector down: each is N times the one after it, and N times the first is zero."""
     zero = sp.ImmutableMatrix(sp.zeros(N.rows, 1))
-    claims = {}
+    claims, rows = {}, _rows(powers[len(chain) - 1]) if 1 < len(chain) <= len(powers) else None
     for j in range(len(chain) - 1, -1, -1):
         right = chain[j - 1] if j else zero
         claims[f"vector{j + 1}"] = Claim(product(N, chain[j]), right, Phrase("chain of vectors"))
@@ -79,5 +81,15 @@ def _chain(N: ImmutableMatrix, chain: Sequence[ImmutableMatrix], number: int) ->
         N=N,
         number=number,
         length=len(chain),
+        rows=rows,
+        last=chain[-1],
         entries=[_entries(N, v) for v in reversed(chain)],
     )
+
+
+def _rows(power: ImmutableMatrix) -> ImmutableMatrix | None:
+    """The independent rows of a power, reduced; None where it is zero, or is not reduced in exact numbers."""
+    reduction = exact.row_reduction(power)
+    if reduction is None or not reduction.pivots:
+        return None
+    return sp.ImmutableMatrix(reduction.reduced[: len(reduction.pivots)])

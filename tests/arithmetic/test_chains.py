@@ -66,3 +66,11 @@ def test_the_entries_of_a_chain_are_worked_out():
 def test_pages_without_chains_have_none():
     assert lines([[0, 1], [-2, -3]], "lengths") == []
     assert sp.Symbol("x_1") not in lines([[0, 1], [-2, -3]], "null_vectors")[0].values["free"]
+
+
+def test_the_last_vector_solves_the_reduced_equations_of_the_power():
+    (line,) = lines([[0, 1, 0], [0, 0, 1], [2, -5, 4]], "chain")
+    rows, last = line.values["rows"], line.values["last"]
+    assert rows.tolist() == [[1, -2, 1]]
+    assert (rows * last)[0] == 0
+    assert r"\begin{bmatrix}1 & -2 & 1\end{bmatrix}x = 0" in displayed([line])

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.chains import chains_worked_out
+from solver.arithmetic.products import multiplied
 from solver.arithmetic.quadratics import quadratic_formula, roots_of_squares
 from solver.arithmetic.row_operations import null_vectors, row_operations
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
@@ -188,6 +189,7 @@ def by_null_spaces(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
     yield Step(
         "jordan_form",
         claims={"similar": Claim(product(A, V), product(V, J), "$A V = V J$")},
+        steps=_similar(A, V, J),
         V=V,
         J=J,
         diagonalizable=structure.diagonalizable,
@@ -200,6 +202,18 @@ def by_null_spaces(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
         jordan_form=J,
         diagonalizable=structure.diagonalizable,
     )
+
+
+LARGEST = 3
+"""The entries of larger products are not written out."""
+
+
+def _similar(A: ImmutableMatrix, V: ImmutableMatrix, J: ImmutableMatrix) -> tuple[Step, ...]:
+    """A V = V J, multiplied out on both sides."""
+    if A.rows > LARGEST or V.has(sp.Float) or J.has(sp.Float):
+        return ()
+    both = sp.ImmutableMatrix(exact.multiply(V, J))
+    return multiplied(A, V, both, "AV") + multiplied(V, J, both, "VJ")
 
 
 @eigenstructure.verification("eigenvalues")
