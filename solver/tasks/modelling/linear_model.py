@@ -82,4 +82,5 @@ def _matrices(
     of_state = product(A, state) if B is None else total(product(A, state), product(B, u))
     of_output = product(C, state) if D is None else total(product(C, state), product(D, u))
     claims = {"state": Claim(of_state, right, "state equation"), "output": Claim(of_output, y, "output")}
-    return Step("matrices", claims=claims, A=A, B=B, C=C, D=D)
+    driven = None if B is None else u[0, 0] if u.rows == 1 else u
+    return Step("matrices", claims=claims, A=A, B=B, C=C, D=D, X=state, u=driven)
