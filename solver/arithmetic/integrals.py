@@ -19,22 +19,31 @@ if TYPE_CHECKING:
 
 @where_exact
 def integrated(
-    integrand: ImmutableMatrix, x: Symbol, lower: Any, upper: Any, value: ImmutableMatrix
+    integrand: ImmutableMatrix, x: Symbol, lower: Any, upper: Any, value: ImmutableMatrix, stated: Any = None
 ) -> tuple[Step, ...]:
-    """∫ f dx = F(upper) − F(lower) = value; none where f has terms that a table of integrals does not have."""
+    """∫ f dx = F(upper) − F(lower) = value; none where f has terms that a table of integrals does not have.
+
+    `stated` is f as the page has it, where that has to be multiplied out first.
+    """
     found = exact.antiderivative(integrand, x)
-    return () if found is None else tuple(_integrated(integrand, found, x, (lower, upper), value))
+    return () if found is None else tuple(_integrated(integrand, found, x, (lower, upper), value, stated))
 
 
 @lemma("arithmetic/integrals")
 def _integrated(
-    integrand: ImmutableMatrix, found: exact.Antiderivative, x: Symbol, limits: tuple[Any, Any], value: ImmutableMatrix
+    integrand: ImmutableMatrix,
+    found: exact.Antiderivative,
+    x: Symbol,
+    limits: tuple[Any, Any],
+    value: ImmutableMatrix,
+    stated: Any,
 ) -> Derivation[None]:
     terms, F = entry_alone(found.integrand), entry_alone(found.function)
     lower, upper = limits
     claims = {}
-    if found.integrand != integrand:
-        claims["terms"] = Claim(entry_alone(integrand), terms, "the integrand as a sum")
+    if found.integrand != integrand or stated is not None:
+        left = entry_alone(integrand) if stated is None else stated
+        claims["terms"] = Claim(left, terms, "the integrand as a sum")
     at_upper, at_lower = put_in(F, x, upper), put_in(F, x, lower)
     at_limits = at_upper if at_lower in (0, sp.zeros(*integrand.shape)) else difference(at_upper, at_lower)
     claims |= {

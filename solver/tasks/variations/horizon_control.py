@@ -96,7 +96,8 @@ def _motion_of(
         "law": Claim(product(-1, K, x), u, "$u = -Kx$"),
     }
     figures = signals_over(T, {"x": x, "u": u}, "The optimal motion and its control")
-    yield Step("motion", claims=claims, x=x, u=scalar_or_column(u), x0=x0, n=asked.order, T=T, figures=figures)
+    yield Step("motion", claims=claims, x=x, u=scalar_or_column(u), x0=x0, n=asked.order, T=T, figures=figures,
+               slope=scalar_or_matrix(sp.ImmutableMatrix(x.diff(t))))  # fmt: skip
     cost = asked.factor * found.value(x0, T)
     start = sp.ImmutableMatrix(P.xreplace({t: sp.S.Zero}))
     stated = product(asked.factor, sp.ImmutableMatrix(x0.T), start, x0)
