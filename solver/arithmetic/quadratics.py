@@ -13,7 +13,7 @@ from solver.stated.algebra import difference, power, product, total
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
 
 @where_exact
@@ -72,9 +72,12 @@ def _roots_of_squares(x: Expr, squares: Sequence[Expr], roots: Sequence[Expr]) -
 
 
 @where_exact
-def both_roots(x: Expr, polynomial: Expr) -> tuple[Step, ...]:
-    """The real roots of a quadratic polynomial in numbers, in decimals where they are irrational; else nothing."""
-    p = sp.Poly(polynomial, x)
+def both_roots(x: Expr, polynomial: Expr, variable: Symbol | None = None) -> tuple[Step, ...]:
+    """The real roots of a quadratic polynomial in numbers, in decimals where they are irrational; else nothing.
+
+    `variable` is what the polynomial is in, if x is an expression such as ω².
+    """
+    p = sp.Poly(polynomial, variable or x)
     if p.degree() != 2 or p.free_symbols_in_domain:
         return ()
     _, b, c = p.monic().all_coeffs()

@@ -45,19 +45,23 @@ def roots_found(polynomial: Expr, roots: list[Expr], x: Symbol) -> tuple[Step, .
 
 
 @where_exact
-def values_at(polynomial: Expr, x: Symbol, points: list[Expr]) -> tuple[Step, ...]:
-    """The numbers put into a polynomial, and what it is there."""
-    return tuple(_values_at(polynomial, x, points))
+def values_at(
+    polynomial: Expr, x: Symbol, points: list[Expr], name: Expr | None = None, short_for: Expr | None = None
+) -> tuple[Step, ...]:
+    """The numbers put into a polynomial, and what it is there; x may be `short_for` what the page has, such as ω²."""
+    return tuple(_values_at(polynomial, x, points, name, short_for))
 
 
 @lemma("arithmetic/roots")
-def _values_at(polynomial: Expr, x: Symbol, points: list[Expr]) -> Derivation[None]:
+def _values_at(
+    polynomial: Expr, x: Symbol, points: list[Expr], name: Expr | None, short_for: Expr | None
+) -> Derivation[None]:
     claims = {}
     for i, point in enumerate(points, 1):
         numbers, value = put_in(polynomial, x, point), sp.expand(polynomial.subs(x, point))
         claims[f"put_in{i}"] = Claim(value_at(polynomial, x, point), numbers, Phrase("a number put in"))
         claims[f"value{i}"] = Claim(numbers, value, Phrase("a number put in"))
-    yield Step("values", detail="tutor", claims=claims, count=len(points))
+    yield Step("values", detail="tutor", claims=claims, count=len(points), x=x, name=name, short_for=short_for)
 
 
 @lemma("arithmetic/roots")

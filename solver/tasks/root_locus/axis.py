@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.quadratics import both_roots
+from solver.arithmetic.roots import values_at
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -71,7 +74,9 @@ def _parts(form: Form, *, along: bool) -> Step:
     factors = factored(left, cosine if discrete else angle)
     if factors is not None and sp.degree(left, cosine if discrete else angle) > 1:
         claims["factors"] = Claim(left, factors, "its factors")
-    return Step("parts", claims=claims, p=p, s=form.s, K=form.K, there=there, real=real, imaginary=imaginary,
+    lines = () if alone or along else both_roots(cosine if discrete else angle**2, rest.as_expr(), rest.gen)
+    return Step("parts", claims=claims, steps=lines, p=p, s=form.s, K=form.K, there=there, real=real,
+                imaginary=imaginary,
                 alone=alone, along=along, discrete=discrete, both=both, cosine=sp.cos(angle),
                 powers=max(sp.degree(form.D, form.s), sp.degree(form.N, form.s)))  # fmt: skip
 
@@ -94,8 +99,21 @@ def _crossings(form: Form, found: tuple[exact.Crossing, ...], *, along: bool) ->
         for each in found
     ]  # fmt: skip
     none = "" if claims else "there is no such point; the answer has a check"
-    return Step("crossings", claims=claims, unclaimed=none, rows=rows, K=form.K, along=along, s=form.s,
+    return Step("crossings", claims=claims, unclaimed=none, steps=_gains(form, squared, rows), rows=rows,
+                K=form.K, along=along, s=form.s,
                 discrete=circle)  # fmt: skip
+
+
+def _gains(form: Form, squared: Expr, rows: Sequence[Mapping[str, Any]]) -> tuple[Step, ...]:
+    """K from the equation in which it is alone with ω², or c, where that is linear."""
+    parts, places = exact.on_boundary(form.equation), [row["square"] for row in rows if not row["real"]]
+    for p, q in (parts.imaginary, parts.real):
+        gain = None if q.is_zero else sp.Poly(sp.cancel(-p.as_expr() / q.as_expr()), p.gen) if q.degree() == 0 else None
+        if places and gain is not None and gain.degree() == 1:
+            w = sp.Symbol("c" if form.discrete else "w")
+            of_w = gain.as_expr().subs(p.gen, w)
+            return values_at(of_w, w, places, form.K, None if form.discrete else squared)
+    return ()
 
 
 def _frequency(form: Form, at: exact.Crossing) -> Expr | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.roots import factored as found_by_trial
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -29,7 +30,9 @@ def rules_of(form: Form) -> Derivation[tuple[list[Any], exact.Asymptotes | None]
         for name, value in (("N", form.N), ("D", form.D))
         if (product_of := factored(value, form.s)) is not None
     }
-    yield Step("poles_zeros", claims=factors, unclaimed="" if factors else "they are read off", K=form.K, s=form.s,
+    trials = tuple(line for each in factors.values() for line in found_by_trial(each.left, each.right, form.s))
+    yield Step("poles_zeros", claims=factors, unclaimed="" if factors else "they are read off", steps=trials, K=form.K,
+               s=form.s,
                N=form.N, D=form.D, n=n, m=m, poles=_listed(poles), zeros=_listed(zeros), lead=equation.lead,
                positive=equation.positive)  # fmt: skip
     yield Step("branches", unclaimed="counted", n=n, m=m, q=n - m, K=form.K, poles=_listed(poles), zeros=_listed(zeros),
