@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.inverses import inverted
+from solver.arithmetic.products import multiplied
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -113,9 +115,16 @@ def by_observability_matrix(given: Given[WithOutput, InitialStateOptions]) -> De
         "equation": Claim(product(O, x0), free, "the initial state put in"),
         "solution": Claim(product(inverse(used), right), x0, "the inverse"),
     }
-    yield Step("solution", claims=claims, O=used, right=right, x0=x0, chosen=[i + 1 for i in chosen],
-               all_rows=len(chosen) == O.rows)  # fmt: skip
+    whole_rows = len(chosen) == O.rows
+    yield Step("solution", claims=claims, steps=_by_the_inverse(used, right, x0) if whole_rows else (), O=used,
+               right=right, x0=x0, chosen=[i + 1 for i in chosen], all_rows=whole_rows)  # fmt: skip
     return Answers(x0=x0)
+
+
+def _by_the_inverse(O: ImmutableMatrix, right: ImmutableMatrix, x0: ImmutableMatrix) -> tuple[Step, ...]:
+    """The inverse of the observability matrix, and its product with what the state alone gives."""
+    back = exact.inverse(O)
+    return inverted(r"\mathcal{O}", O, back) + multiplied(back, right, x0)
 
 
 def _solution(O: ImmutableMatrix, right: ImmutableMatrix) -> tuple[list[int], ImmutableMatrix]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.inverses import inverted as inverse_worked_out
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -156,7 +157,7 @@ def _products(K: ImmutableMatrix, det: Expr, inverted: ImmutableMatrix, array: I
         "determinant": Claim(determinant(K), det, Phrase("determinant of the gains")),
         "inverse": Claim(inverse(K), inverted, Phrase("inverse of the gains")),
     }
-    yield Step("inverse", claims=claims, n=n)
+    yield Step("inverse", claims=claims, steps=inverse_worked_out("K", K, inverted), n=n)
     claim = Claim(entrywise_product(K, transpose(inverted)), array, Phrase("products entry by entry"))
     entries = [(product(K[i, j], inverted[j, i]), array[i, j]) for i, j in places]
     yield Step("array", claims={"array": claim}, n=n, entries=entries)
