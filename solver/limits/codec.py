@@ -129,7 +129,14 @@ def _symbol(name: str, assumed: Iterable[tuple[str, bool]], index: int | None, _
 
 
 def _parameter(name: str, assumed: Iterable[tuple[str, bool]], relations: Iterable[str], parts: list[Any]) -> Any:
-    return Parameter(name, tuple(map(Condition, parts, relations)), **dict(assumed))
+    return Parameter(name, tuple(map(Condition, _exact(parts), relations)), **dict(assumed))
+
+
+def _exact(parts: list[Any]) -> list[Any]:
+    """Return the parts of an object of sympy, which takes a text for one to be evaluated; raises NotPlain."""
+    if not all(isinstance(part, sp.Basic) for part in parts):
+        raise NotPlain("a part of an expression is no expression")
+    return parts
 
 
 def _applied(module: str, name: str, parts: list[Any]) -> Any:
@@ -137,6 +144,7 @@ def _applied(module: str, name: str, parts: list[Any]) -> Any:
     kind: Any = getattr(import_module(module), name) if module.startswith("sympy.") else None
     if kind is None or sp.Basic not in kind.__mro__:
         raise NotPlain(f"{name} is not mathematics")
+    _exact(parts)
     if AssocOp in kind.__mro__:
         return kind._from_args(parts)
     if not parts:
@@ -152,13 +160,13 @@ MAKERS: Mapping[str, Callable[..., Any]] = {
     "list": list,
     "tuple": tuple,
     "mapping": lambda parts: dict(zip(parts[::2], parts[1::2], strict=True)),
-    "matrix": sp.ImmutableMatrix,
+    "matrix": lambda rows, columns, parts: sp.ImmutableMatrix(rows, columns, _exact(parts)),
     "program": lambda parts: Program(parts[0], tuple(parts[1:-1]), parts[-1]),
     "element": lambda parts: Element(*parts),
     "symbol": _symbol,
     "parameter": _parameter,
-    "decimal": lambda value, precision, _: sp.Float._new(value, precision, zero=False),
-    "fraction": lambda p, q, _: sp.Rational(p, q),
-    "function": lambda name, parts: sp.Function(name)(*parts),
+    "decimal": lambda value, precision, _: sp.Float._new(tuple(map(int, value)), precision, zero=False),
+    "fraction": lambda p, q, _: sp.Rational(int(p), int(q)),
+    "function": lambda name, parts: sp.Function(name)(*_exact(parts)),
     "sympy": _applied,
 }
