@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from solver.classroom.alike import known_of, told
 from solver.classroom.following.between import OwnResults
 from solver.classroom.following.chain import followed
 from solver.classroom.following.conventions import Judged, by_convention
@@ -20,6 +23,7 @@ from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.names import names_for
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.values import Reader
+from solver.classroom.same import Same
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.derivation import Given, PartResult, Status
@@ -56,6 +60,7 @@ class Marker:
         self.results: dict[str, list[PartResult]] = {}
         for result in solution.parts:
             self.results.setdefault(result.id, []).append(result)
+        self.known = known_of(Same(solution), templates)
         self.unread: dict[str, dict[str, Reason]] = {}
         self.values = {part.id: self._read_all(part) for part in solution.problem.parts}
         self.own = OwnResults(solution.problem.parts, self.results, self.values)
@@ -98,8 +103,9 @@ class Marker:
         reader = self.reader(part, ours)
         for name, node in self.submission.answers.get(part.id, {}).items():
             if name in ours:
+                read = partial(read_value, reader, node, ours[name], self._expected(part, name))
                 try:
-                    found[name] = read_value(reader, node, ours[name], self._expected(part, name))
+                    found[name] = self.known.of((part.id, name, json.dumps(told(node))), read)
                 except Fault as fault:
                     unread[name] = Reason("marking/not_read", placed(fault.diagnostics[0]))
         return found
@@ -135,7 +141,14 @@ class Marker:
         return given_of(part, part.methods[0], first)
 
     def part(self, part: Part) -> PartVerdict:
-        """Return the verdicts and marks of one part."""
+        """Return the verdicts and marks of one part; of equal answers they are remembered, unless they name places."""
+        if self.unread[part.id]:
+            return self._part(part)
+        about = [part.id, *(part.sources and self.values)]  # what follows from earlier parts may come from any of them
+        written = [[[name, told(node)] for name, node in self.submission.answers.get(id_, {}).items()] for id_ in about]
+        return self.known.of((part.id, json.dumps(written)), partial(self._part, part))
+
+    def _part(self, part: Part) -> PartVerdict:
         out_of = self._out_of(part)
         submitted = self.submission.answers.get(part.id, {})
         ours, values = self.ours(part.id), self.values[part.id]

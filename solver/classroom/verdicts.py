@@ -119,6 +119,10 @@ class Marking:
         """All marks there are."""
         return sum((part.out_of for part in self.parts), Fraction(0))
 
+    def of(self, student: str) -> Marking:
+        """Return the marking of a student who submitted the same."""
+        return replace(self, student=student)
+
     @property
     def all_right(self) -> bool:
         """Whether nothing that was submitted is wrong."""

@@ -23,7 +23,10 @@ pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="th
 
 def papers():
     solution = solved(PROBLEM)
-    texts = (f"student: {name}\nanswers: {{a: lambda^2 - 2lambda - 5, b: {{K: [5, 0]}}}}" for name in STUDENTS)
+    texts = (
+        f"student: {name}\nanswers: {{a: lambda^2 - 2lambda - 5, b: {{K: [5, {i} - {i}]}}}}"
+        for i, name in enumerate(STUDENTS)
+    )
     return [(solution, read_submission(Source("answers.yaml", text), solution.problem)) for text in texts]
 
 

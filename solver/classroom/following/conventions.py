@@ -10,7 +10,7 @@ from solver.classroom.following.between import OwnResults, answered
 from solver.classroom.following.chain import Verdicts, followed
 from solver.classroom.judging.question import Question
 from solver.classroom.judging.verdict import judge
-from solver.classroom.same_part import SamePart
+from solver.classroom.same import Same
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
 from solver.engine import Earlier
@@ -62,12 +62,12 @@ def other_conventions(part: Part) -> Iterator[tuple[str, str]]:
 
 def asked_by(part: Part, name: str, typed: str, earlier: Earlier) -> tuple[Part, Question | None]:
     """The part by another convention, and its question; None where it has no meaning there."""
-    return _found(part, name, typed, earlier) if part.sources else _remembered(SamePart(part), name, typed)
+    return _found(part, name, typed, earlier) if part.sources else _remembered(Same(part), name, typed)
 
 
 @lru_cache(maxsize=KEPT)
-def _remembered(same: SamePart, name: str, typed: str) -> tuple[Part, Question | None]:
-    return _found(same.part, name, typed, {})
+def _remembered(same: Same[Part], name: str, typed: str) -> tuple[Part, Question | None]:
+    return _found(same.it, name, typed, {})
 
 
 def _found(part: Part, name: str, typed: str, earlier: Earlier) -> tuple[Part, Question | None]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from solver.classroom.judging.question import STRANGE
 from solver.classroom.mistakes.questions import CHANGED, Change, declared
-from solver.classroom.same_part import SamePart
+from solver.classroom.same import Same
 from solver.derivation import Answers, Given, PartResult, Slip, Step, Task, Unsolved
 from solver.engine import found_by, steps_of
 from solver.lazy import exact
@@ -24,24 +24,24 @@ Found = tuple[Given[Any, Any], Answers]
 def changed_questions(part: Part, earlier: Mapping[str, PartResult]) -> Iterator[tuple[Slip, Found]]:
     """Yield the mistakes that answer another question, the task's own first: what is given there, and the answers."""
     for number, (slip, _) in enumerate(_changes_of(catalogue()[part.task])):
-        found = _found(part, number, earlier) if part.sources else _remembered(SamePart(part), number)
+        found = _found(part, number, earlier) if part.sources else _remembered(Same(part), number)
         if found is not None:
             yield slip, found
 
 
 def steps_taken(part: Part, method: str, earlier: Mapping[str, PartResult]) -> list[Step]:
     """Return the steps of a part by a method."""
-    return steps_of(part, method, earlier) if part.sources else _remembered_steps(SamePart(part), method)
+    return steps_of(part, method, earlier) if part.sources else _remembered_steps(Same(part), method)
 
 
 @lru_cache(maxsize=KEPT)
-def _remembered(same: SamePart, number: int) -> Found | None:
-    return _found(same.part, number, {})
+def _remembered(same: Same[Part], number: int) -> Found | None:
+    return _found(same.it, number, {})
 
 
 @lru_cache(maxsize=KEPT)
-def _remembered_steps(same: SamePart, method: str) -> list[Step]:
-    return steps_of(same.part, method, {})
+def _remembered_steps(same: Same[Part], method: str) -> list[Step]:
+    return steps_of(same.it, method, {})
 
 
 def _found(part: Part, number: int, earlier: Mapping[str, PartResult]) -> Found | None:

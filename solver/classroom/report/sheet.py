@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 from pathlib import Path
 
+from solver.classroom.alike import SOLUTIONS
 from solver.classroom.marking import Marker
 from solver.classroom.reading.answer_file import Submission
 from solver.classroom.report.highlight import highlighted
 from solver.classroom.report.words import number, remarks, to_be_reviewed, verdict_of
+from solver.classroom.same import Same
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.derivation import AnswerName
 from solver.document.model import Document, Presentation, Work
@@ -84,10 +87,15 @@ def marked_sections(
     solution: Solution, marking: Marking, templates: Path | None = None, *, key: bool = False
 ) -> tuple[list[Section], Document]:
     """Return the parts of a sheet, and the document of the question, which it shows above them."""
-    sections = _Sections(solution, templates, key)
-    paper = document_of(solution, Presentation("question", templates))
+    sections, paper = _sections_of(Same(solution), templates, key)
     works = {work.id: work for work in reversed(paper.parts)}
     return [sections.section(part, works[part.id]) for part in marking.parts], paper
+
+
+@lru_cache(SOLUTIONS)
+def _sections_of(solution: Same[Solution], templates: Path | None, key: bool) -> tuple[_Sections, Document]:
+    """Return what words the parts of a sheet, and the question as a document: the same for every student."""
+    return _Sections(solution.it, templates, key), document_of(solution.it, Presentation("question", templates))
 
 
 class _Sections:
