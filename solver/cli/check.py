@@ -8,7 +8,7 @@ import click
 
 from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, Seconds
+from solver.cli.run import AGAIN, DETAILS, Seconds
 from solver.problem.model import RULES
 
 FORMATS = ("text", "json", "html")
@@ -39,6 +39,7 @@ FORMATS = ("text", "json", "html")
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part, solved or marked.")  # fmt: skip
 @executing
+@AGAIN
 @click.pass_context
 def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     ctx: click.Context,
@@ -59,11 +60,13 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     time_limit: float,
     memory_limit: int,
     workers: Workers,
+    again: bool,
 ) -> None:
     """Mark each file of ANSWERS, or each in a folder, by what PROBLEM asks, not by likeness to a key.
 
     Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest. Answers to an
-    exam are marked against the variant of each student, with the marks of the exam.
+    exam are marked against the variant of each student, with the marks of the exam. Called again with other answers,
+    only what changed is marked.
     """
     if syntax and (output or table or changes or format_ == "html"):
         raise click.UsageError("--syntax prints text or, with -f json, data; it goes with no -o, --csv and --override.")
@@ -74,6 +77,6 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
 
     told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
     limits = Limits(time_limit, memory_limit)
-    rules = partial, key, syntax, changes, workers, report
+    rules = partial, key, syntax, changes, workers, report, again
     marked = CheckRequest(files, format_, output, table, solution, told, limits, *rules)
     ctx.exit(check_files(marked))

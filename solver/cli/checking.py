@@ -17,11 +17,13 @@ from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.grading import check_exam
 from solver.cli.handed_in import exam_of, passed_over
+from solver.cli.marks_kept import marks_kept, tidy, working
 from solver.cli.papers import CheckRequest, Paper, Problems, files_in, told_apart
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
 from solver.cli.syntax import tell_readings
 from solver.messages import Messages
+from solver.papers.marked import MarkedBefore
 from solver.problem.source import Fault, InputError, Source
 
 EMPTY = Submission(Source("", ""), "", {})
@@ -40,7 +42,8 @@ def check_files(request: CheckRequest) -> int:
         raise click.UsageError("--report is about an exam: solve check EXAM ANSWERS.")
     delivery = Delivery(request, files, several)
     meter = Meter(len(files))
-    problems = Problems(request, meter)
+    kept = marks_kept(request, problem or "", files)
+    problems = Problems(request, meter, kept)
     papers = [problems.paper(file, problem) for file in files]
     problems.tell_nameless()
     if request.syntax:
@@ -53,6 +56,7 @@ def check_files(request: CheckRequest) -> int:
         return INPUT_AT_FAULT
     desk = _Desk(request, problems, changes, delivery)
     code = max(code, desk.mark(papers, meter))
+    tidy(request, kept)
     delivery.conclude()
     if request.table:
         _write_table(request.table, desk, problems)
@@ -94,8 +98,9 @@ class _Desk:
         codes = [SOLVED]
         read = [paper for paper in papers if paper.submission is not None]
         pairs = [(self.problems.solutions[each.problem], each.submission) for each in read if each.submission]
-        with self.request.workers.executor() if len(pairs) > 1 else nullcontext() as executor:
-            markings = mark_each(pairs, self.request.limits, self.request.templates, executor)
+        with working(self.request, self.problems.kept) if len(pairs) > 1 else nullcontext() as executor:
+            memory = MarkedBefore(self.problems.kept)
+            markings = mark_each(pairs, self.request.limits, self.request.templates, executor, memory)
             for paper in papers:
                 codes.append(paper.code)
                 marking = None

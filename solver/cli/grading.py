@@ -16,6 +16,7 @@ from solver.classroom.report.words import number
 from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, write_changed, write_whole
 from solver.cli.handed_in import read_paper, readings_of, source_of_exam
+from solver.cli.marks_kept import marks_kept, tidy, working
 from solver.cli.overriding import overriding
 from solver.cli.papers import CheckRequest
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
@@ -53,8 +54,9 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     except InputError as error:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
-    with request.workers.executor() as executor:
-        means = Means(request.presentation, request.limits, executor)
+    kept = marks_kept(request, file, files)
+    with working(request, kept) as executor:
+        means = Means(request.presentation, request.limits, executor, kept=kept)
         try:
             told = partial(prepared, request.presentation, request.partial)
             solutions = solutions_of(exam, {each.variant for each in papers}, means, told)
@@ -63,10 +65,11 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
             return UNSOLVED
         if request.syntax:
             return _tell_readings(request, read, solutions, executor)
-        markings = marked(papers, solutions, request.limits, request.templates, executor)
+        markings = marked(papers, solutions, means)
         graded = [override.applied(each.graded(markings)) for each in read]
         wanted = request.solution and request.chosen_format == "html"
-        worked = worked_of(solutions, request.presentation, request.limits, executor) if wanted else {}
+        worked = worked_of(solutions, means) if wanted else {}
+    tidy(request, kept)
     if request.chosen_format == "html":
         _write_sheets(request, exam, graded, solutions, worked)
     else:

@@ -19,6 +19,9 @@ from solver.document.model import Document, Presentation
 from solver.engine import Solution
 from solver.limits import Limits, Solved, Supervision, solve_within
 from solver.messages import Messages
+from solver.papers.kept import NOTHING, Kept
+from solver.papers.marked import keep_solved, solved_before
+from solver.problem.model import Problem
 from solver.problem.nodes import MappingNode
 from solver.problem.partial import ruled
 from solver.problem.reader import read_problem
@@ -35,7 +38,7 @@ class CheckRequest:
     """What the command line asks for; `limits` are those of each part, `partial` the rule for all wrong answers.
 
     With `key` a sheet has the right values too, `syntax` asks only how values are read, `changes` is a file of changes,
-    `report` a page of what the marks of a class say.
+    `report` a page of what the marks of a class say. With `again` nothing is used that was marked before.
     """
 
     files: tuple[str, ...]
@@ -51,6 +54,7 @@ class CheckRequest:
     changes: str | None = None
     workers: Workers = field(default_factory=Workers)
     report: str | None = None
+    again: bool = False
 
     @property
     def templates(self) -> Path | None:
@@ -114,8 +118,9 @@ def files_in(named: Sequence[str], *others: str | None) -> tuple[str, ...]:
 class Problems:
     """The problems that answer files are about, each solved once."""
 
-    def __init__(self, request: CheckRequest, meter: Meter) -> None:
+    def __init__(self, request: CheckRequest, meter: Meter, kept: Kept = NOTHING) -> None:
         self.request = request
+        self.kept = kept
         self.meter = meter
         self.solved: dict[str, Solved] = {}
         self.solutions: dict[str, Solution] = {}
@@ -168,10 +173,15 @@ class Problems:
             if self.request.partial:
                 problem = ruled(problem, self.request.partial, catalogue())
             told = self.request.presentation if self.request.solution else None
-            with self.meter.file(name) as notify:
-                self.solved[name] = solve_within(problem, self.request.limits, told, Supervision(notify))
+            self.solved[name] = solved_before(self.kept, problem, told) or self._solve(name, problem, told)
             self.solutions[name] = self.solved[name].solution()
         return self.solutions[name]
+
+    def _solve(self, name: str, problem: Problem, told: Presentation | None) -> Solved:
+        with self.meter.file(name) as notify:
+            solved = solve_within(problem, self.request.limits, told, Supervision(notify))
+        keep_solved(self.kept, solved, told)
+        return solved
 
     def document(self, name: str) -> Document | None:
         """Return the worked solution in words where it is to be shown."""

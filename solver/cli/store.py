@@ -22,10 +22,13 @@ LARGEST = 2**26
 
 
 class Store:
-    """Keeps plain data for a folder; the facts are completed by the templates. `anew` reads nothing that was there."""
+    """Keeps plain data for a folder; the facts are completed by the templates. `anew` reads nothing that was there.
 
-    def __init__(self, folder: Path, templates: Path | None, *, anew: bool = False) -> None:
-        self.folder = folder / FOLDER
+    What is kept `apart`, by such a name, is taken away apart.
+    """
+
+    def __init__(self, folder: Path, templates: Path | None, *, anew: bool = False, apart: str = "") -> None:
+        self.folder = folder / FOLDER / apart
         self.templates = templates
         self.anew = anew
         self.used: set[str] = set()
@@ -34,6 +37,11 @@ class Store:
     def place(self) -> str:
         """The folder, "" where nothing is in it that was used or put."""
         return str(self.folder) if self.used else ""
+
+    @property
+    def is_new(self) -> bool:
+        """Whether nothing is there that could be read."""
+        return self.anew or not any(self.folder.glob(f"*{SUFFIX}"))
 
     def get(self, *facts: Any) -> Any:
         """Return what was put for the same facts, None where there is nothing, or nothing that can be read."""

@@ -107,14 +107,37 @@ def drawn_before(kept: Kept, search: Search, count: int) -> Sequence[tuple[Mappi
     return found
 
 
+def recall(kept: Kept, search: Search) -> None:
+    """Let a search know what became of the draws that the same search judged before, for another count of members."""
+    try:
+        found = {
+            int(number): None if why is None else Rejection(str(why), bool(own))
+            for number, why, own in kept.get(*_facts_of_judgements(search)) or ()
+        }
+    except (TypeError, ValueError):
+        return
+    search.judgements.update(found)
+
+
 def keep_drawn(kept: Kept, search: Search, count: int, members: Sequence[tuple[Mapping[str, str], str]]) -> None:
-    """Keep values and texts of the members that a search found, if any; not where other limits may give more."""
+    """Keep what a search judged, and values and texts of its members, unless other limits may give more."""
+    judged = [
+        (number, None, False) if why is None else (number, why.why, why.own)
+        for number, why in search.judgements.items()
+        if why is None or not why.is_by_limits
+    ]
+    if judged:
+        kept.put(judged, *_facts_of_judgements(search))
     if not members or (len(members) < count and any(each.is_by_limits for each in search.rejections)):
         return
     rejected = [[why.why, why.own, times] for why, times in search.rejections.items()]
     found = [[dict(values), text] for values, text in members]
     data = {"draws": search.draws, "choices": search.count, "rejected": rejected, "members": found}
     kept.put(data, *_facts_of_search(search, count))
+
+
+def _facts_of_judgements(search: Search) -> tuple[Any, ...]:
+    return "judged", search.source.name, search.source.text, search.seed
 
 
 def _facts_of_search(search: Search, count: int) -> tuple[Any, ...]:

@@ -1,6 +1,6 @@
-"""Documents as plain data, which can be written as JSON and read again: texts, numbers, and what is made of them.
+"""Documents and markings as plain data, which can be written as JSON and read again.
 
-Only classes that documents are made of are ever made of data; whatever else stands there is refused. Nothing is
+Only classes that these are made of are ever made of data; whatever else stands there is refused. Nothing is
 imported or called by a name that data tell.
 """
 
@@ -11,13 +11,17 @@ from binascii import Error
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from solver.classroom import verdicts
 from solver.derivation import figures, steps
 from solver.document import model, work
 from solver.document.model import Document
+from solver.limits import codec
+from solver.limits.results import Sent
 from solver.messages import Messages
 from solver.papers import difficulty
 from solver.papers.exam.telling import QuestionMade
@@ -48,11 +52,21 @@ def as_plain(value: Any) -> Any:  # noqa: PLR0911 - a line for each kind of valu
         return ["mapping", *([as_plain(key), as_plain(each)] for key, each in value.items())]
     if isinstance(value, Path):
         return ["path", str(value)]
+    if kind is Fraction:
+        return ["fraction", value.numerator, value.denominator]
     if _known().get(kind.__qualname__) is not kind:
-        raise NotPlain(kind.__qualname__)
+        return ["exact", as_plain(_encoded(value))]
     if isinstance(value, Enum):
         return ["one of", kind.__qualname__, value.name]
     return ["object", kind.__qualname__, {name: as_plain(getattr(value, name)) for name in _fields(kind)}]
+
+
+def _encoded(value: Any) -> list[codec.Node]:
+    """Return an exact value as nodes; raises NotPlain where it is no mathematics."""
+    try:
+        return codec.encode(value)
+    except codec.NotPlain:
+        raise NotPlain(type(value).__qualname__) from None
 
 
 def of_plain(data: Any) -> Any:
@@ -82,6 +96,10 @@ def _of(data: Any) -> Any:  # noqa: PLR0911 - a line for each kind of value
             return b64decode(rest[0], validate=True)
         case "path":
             return Path(rest[0])
+        case "fraction":
+            return Fraction(int(rest[0]), int(rest[1]))
+        case "exact":
+            return codec.decode(_of(rest[0]))
         case "one of":
             return _known()[rest[0]][rest[1]]
         case "object":
@@ -100,8 +118,8 @@ def _fields(kind: Any) -> tuple[str, ...]:
 @cache
 def _known() -> Mapping[str, Any]:
     """The classes that documents are made of, by their names."""
-    found: list[Any] = [Messages, Image, QuestionMade, Made]
-    for module in (figures, steps, model, work, difficulty):
+    found: list[Any] = [Messages, Image, QuestionMade, Made, Sent]
+    for module in (figures, steps, model, work, difficulty, verdicts):
         found += [
             each
             for each in vars(module).values()

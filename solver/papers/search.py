@@ -50,7 +50,10 @@ class Candidate:
 
 @dataclass
 class Search:
-    """A search of the members of a family; `draws` and `rejections` tell what it took so far, of `count` draws."""
+    """A search of the members of a family; `draws` and `rejections` tell what it took so far, of `count` draws.
+
+    `judgements` are those of draws by their numbers, as far as they are known.
+    """
 
     source: Source
     family: Family
@@ -63,6 +66,7 @@ class Search:
     found: int = 0
     count: int = 0
     rejections: Counter[Rejection] = field(default_factory=Counter)
+    judgements: dict[int, Rejection | None] = field(default_factory=dict)
 
     @property
     def is_exhausted(self) -> bool:
@@ -86,6 +90,11 @@ class Search:
             self.found += 1
             yield Candidate(number, draw, text, problem)
         self.draws = min(self.most, self.count)
+
+    def begin_again(self) -> None:
+        """Forget what it took so far."""
+        self.draws = self.found = self.count = 0
+        self.rejections.clear()
 
     def reject(self, rejection: Rejection) -> None:
         """Count a draw that is no member."""
@@ -111,14 +120,14 @@ class Search:
     ) -> Iterator[tuple[int, Draw, str, Rejection | None]]:
         """Judge some draws in processes; yield them in their order."""
         texts = [member_text(self.source, draw.texts) for _, draw, _ in pending]
-        calls = [(text, self.source.name, self.family.required, self.family.nice) for text in texts]
-        results: dict[int, Any] = dict(self.executor.calls(self.limits, judged, calls))
+        new = [place for place, (number, _, _) in enumerate(pending) if number not in self.judgements]
+        calls = [(texts[place], self.source.name, self.family.required, self.family.nice) for place in new]
+        for each, result in self.executor.calls(self.limits, judged, calls):
+            by_limits = isinstance(result, Exceeded)
+            self.judgements[pending[new[each]][0]] = Rejection.by_limits(result.reason) if by_limits else result
         for place, (number, draw, before) in enumerate(pending):
             self.rejections += before
-            result = results[place]
-            if isinstance(result, Exceeded):
-                result = Rejection.by_limits(result.reason)
-            yield number, draw, texts[place], result
+            yield number, draw, texts[place], self.judgements[number]
 
     def _left(self) -> Iterator[tuple[int, Draw, Counter[Rejection]]]:
         """Yield the draws that formulas and conditions leave, with what became of those since the one before.

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import pytest
 
 from solver.cli import main
+from solver.executors import Processes
 from solver.tasks import catalogue
 from tests.helpers.difficult_task import difficult, problem_text
 from tests.helpers.small_problems import GOOD
@@ -49,6 +50,21 @@ def process(tmp_path):
         return Outcome(done.returncode, done.stdout.decode(), done.stderr.decode())
 
     return run
+
+
+@pytest.fixture
+def called(monkeypatch):
+    """Note which functions are called in processes, with the first argument, or of papers written the label."""
+    noted = []
+    calls = Processes.calls
+
+    def noting(self, limits, function, these):
+        these = list(these)
+        noted.extend((function.__name__, each[2] if function.__name__ == "_written" else each[0]) for each in these)
+        return calls(self, limits, function, these)
+
+    monkeypatch.setattr(Processes, "calls", noting)
+    return noted
 
 
 @pytest.fixture

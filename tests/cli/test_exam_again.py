@@ -7,7 +7,6 @@ from types import SimpleNamespace
 import pytest
 
 from solver.cli.kept import hash_of_folder
-from solver.executors import Processes
 from solver.papers.judging import Rejection
 from solver.papers.kept import keep_drawn
 from solver.resources import root
@@ -15,21 +14,6 @@ from tests.papers.conftest import FAMILY
 from tests.papers.exams import EXAM, PROBLEM, write_exam
 
 OUT = "exam-papers"
-
-
-@pytest.fixture
-def solved(monkeypatch):
-    """Note which functions are called in processes, with the texts of questions and the labels of papers."""
-    noted = []
-    calls = Processes.calls
-
-    def noting(self, limits, function, these):
-        these = list(these)
-        noted.extend((function.__name__, each[2] if function.__name__ == "_written" else each[0]) for each in these)
-        return calls(self, limits, function, these)
-
-    monkeypatch.setattr(Processes, "calls", noting)
-    return noted
 
 
 def state(folder):
@@ -44,32 +28,32 @@ def bytes_of(folder):
     return {name: content for name, (content, _) in state(folder).items()}
 
 
-def test_nothing_is_solved_or_written_again(solve, tmp_path, solved):
+def test_nothing_is_solved_or_written_again(solve, tmp_path, called):
     write_exam(tmp_path)
     first = solve("exam", "exam.yaml")
     assert first.code == 0
-    assert solved
+    assert called
     before = state(tmp_path / OUT)
-    solved.clear()
+    called.clear()
     again = solve("exam", "exam.yaml")
     assert again == first
-    assert not solved
+    assert not called
     assert state(tmp_path / OUT) == before
     assert solve("exam", "exam.yaml", "--again") == first
-    assert {name for name, _ in solved} == {"judged", "question_made", "_written"}
+    assert {name for name, _ in called} == {"judged", "question_made", "_written"}
     assert bytes_of(tmp_path / OUT) == {name: content for name, (content, _) in before.items()}
 
 
-def test_members_of_a_small_family_are_shared_again(solve, tmp_path, solved):
+def test_members_of_a_small_family_are_shared_again(solve, tmp_path, called):
     few = FAMILY.replace('["a != 2", controllable]', '["a > 2", "b > 1", "p < -3"]')
     write_exam(tmp_path, EXAM.replace("count: 2", "students: class.csv"), family=few)
     (tmp_path / "class.csv").write_text("Ann\nBen\nCem\nDan\n", "utf-8")
     first = solve("exam", "exam.yaml")
     assert first.code == 0, first.err
     assert "in turn" in first.err
-    solved.clear()
+    called.clear()
     assert solve("exam", "exam.yaml") == first
-    assert not solved
+    assert not called
 
 
 def test_what_kept_a_family_from_having_enough_members_is_told_again(solve, tmp_path):
@@ -79,14 +63,14 @@ def test_what_kept_a_family_from_having_enough_members_is_told_again(solve, tmp_
     assert solve("exam", "exam.yaml") == first
 
 
-def test_a_question_that_changed_is_solved_alone(solve, tmp_path, solved):
+def test_a_question_that_changed_is_solved_alone(solve, tmp_path, called):
     write_exam(tmp_path)
     assert solve("exam", "exam.yaml").code == 0
-    solved.clear()
+    called.clear()
     (tmp_path / "step.yaml").write_text(PROBLEM.replace("s+4", "s+5"), encoding="utf-8")
     assert solve("exam", "exam.yaml").code == 0
-    assert [text for name, text in solved if name == "question_made"] == [PROBLEM.replace("s+4", "s+5")]
-    assert [label for name, label in solved if name == "_written"] == ["1", "2"]
+    assert [text for name, text in called if name == "question_made"] == [PROBLEM.replace("s+4", "s+5")]
+    assert [label for name, label in called if name == "_written"] == ["1", "2"]
     anew = tmp_path / "anew"
     assert solve("exam", "exam.yaml", "-o", "anew").code == 0
     ours, other = bytes_of(tmp_path / OUT), bytes_of(anew)
@@ -95,15 +79,15 @@ def test_a_question_that_changed_is_solved_alone(solve, tmp_path, solved):
     }
 
 
-def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, solved):
+def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, called):
     write_exam(tmp_path)
     assert solve("exam", "exam.yaml").code == 0
     before = bytes_of(tmp_path / OUT)
     (tmp_path / OUT / "papers" / "paper-1.html").write_text("mine", encoding="utf-8")
     (tmp_path / OUT / "keys" / "key-2.html").unlink()
-    solved.clear()
+    called.clear()
     assert solve("exam", "exam.yaml").code == 0
-    assert solved == [("_written", "1"), ("_written", "2")]
+    assert called == [("_written", "1"), ("_written", "2")]
     assert bytes_of(tmp_path / OUT) == before
 
 
@@ -117,27 +101,27 @@ def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, s
         (lambda text: f"# a comment\n{text}", set()),
     ],
 )
-def test_what_depends_on_a_change_is_made(solve, tmp_path, solved, changed, made):
+def test_what_depends_on_a_change_is_made(solve, tmp_path, called, changed, made):
     write_exam(tmp_path)
     assert solve("exam", "exam.yaml").code == 0
-    solved.clear()
+    called.clear()
     write_exam(tmp_path, changed(EXAM))
     assert solve("exam", "exam.yaml").code == 0
-    assert {name for name, _ in solved} == made
+    assert {name for name, _ in called} == made
 
 
-def test_what_cannot_be_read_is_made_again(solve, tmp_path, solved):
+def test_what_cannot_be_read_is_made_again(solve, tmp_path, called):
     write_exam(tmp_path)
     first = solve("exam", "exam.yaml")
     before = bytes_of(tmp_path / OUT)
     for number, path in enumerate(sorted((tmp_path / OUT / ".solve").iterdir())):
         path.write_bytes([b"", b"{}", path.read_bytes()[:-9]][number % 3])
     (tmp_path / OUT / ".solve.json").write_text("[", encoding="utf-8")
-    solved.clear()
+    called.clear()
     again = solve("exam", "exam.yaml")
     assert (again.code, again.out) == (first.code, first.out)
     assert "is not used, and all is made again" in again.err
-    assert {name for name, _ in solved} == {"judged", "question_made", "_written"}
+    assert {name for name, _ in called} == {"judged", "question_made", "_written"}
     assert bytes_of(tmp_path / OUT) == before
 
 
@@ -154,30 +138,30 @@ def test_what_is_not_needed_any_more_is_taken_away(solve, tmp_path):
     assert [name for name in record["made"] if name.startswith("paper")] == ["paper 1", "paper 2"]
 
 
-def test_templates_count(solve, tmp_path, solved):
+def test_templates_count(solve, tmp_path, called):
     write_exam(tmp_path)
     own = tmp_path / "own"
     (own / "html").mkdir(parents=True)
     shutil.copy(root("templates") / "html" / "style.css", own / "html")
     assert solve("exam", "exam.yaml", "--templates", "own").code == 0
-    solved.clear()
+    called.clear()
     assert solve("exam", "exam.yaml", "--templates", "own").code == 0
-    assert not solved
+    assert not called
     with (own / "html" / "style.css").open("a", encoding="utf-8") as file:
         file.write("/* mine */")
     hash_of_folder.cache_clear()
     assert solve("exam", "exam.yaml", "--templates", "own").code == 0
-    assert "_written" in {name for name, _ in solved}
+    assert "_written" in {name for name, _ in called}
 
 
-def test_more_variants_keep_those_there_are(solve, tmp_path, solved):
+def test_more_variants_keep_those_there_are(solve, tmp_path, called):
     write_exam(tmp_path)
     solve("exam", "exam.yaml")
     before = bytes_of(tmp_path / OUT)
-    solved.clear()
+    called.clear()
     write_exam(tmp_path, EXAM.replace("count: 2", "count: 3"))
     assert solve("exam", "exam.yaml").code == 0
-    assert len([name for name, _ in solved if name == "question_made"]) == 1
+    assert len([name for name, _ in called if name == "question_made"]) == 1
     after = bytes_of(tmp_path / OUT)
     assert {name: after[name] for name in before if name != "variants.csv"} == {
         name: content for name, content in before.items() if name != "variants.csv"
@@ -186,6 +170,7 @@ def test_more_variants_keep_those_there_are(solve, tmp_path, solved):
 
 def test_a_search_that_a_limit_cut_short_is_not_kept():
     kept, search = [], SimpleNamespace(rejections={Rejection("a > 1"): 2, Rejection.by_limits("time limit"): 1})
+    search.judgements = {}
     search.draws = search.count = search.seed = search.most = 9
     search.source = SimpleNamespace(name="", text="")
     members = [SimpleNamespace(values={}, text="")]

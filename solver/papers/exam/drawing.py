@@ -11,17 +11,15 @@ from solver.derivation import Status
 from solver.document.model import Presentation
 from solver.executors import Executor, Processes
 from solver.limits import Exceeded, Limits
+from solver.papers.again import members_again
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.packed import Packed
 from solver.papers.exam.telling import Asked, QuestionMade, question_made
-from solver.papers.families import Made, all_made, members
-from solver.papers.kept import NOTHING, Kept, MadeBefore, drawn_before, facts_of, keep_drawn
+from solver.papers.families import Made
+from solver.papers.kept import NOTHING, Kept, MadeBefore, facts_of
 from solver.papers.search import MOST_DRAWS, Search, Tell
 from solver.papers.telling import shortage
 from solver.problem.source import InputError
-
-AT_ONCE = 64
-"""So many questions made before are opened at a time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,28 +113,10 @@ def _alike(exam: Exam, questions: list[Question], means: Means, tell: Tell) -> I
 def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tell) -> list[Drawn]:
     """Return the members of a family for the variants in order, as `in_turn` does."""
     search = search_of(exam, question, means, tell)
-    found = _drawn_before(question, search, count, means)
-    if not found:
-        asked, name = asked_of(question, means), f"question-{question.number}"
-        new = members(search, count, asked, name, question_made, _memory(question, means))
-        found = [Drawn(question, each.values, each.text, Packed.of(_question(each.made))) for each in new]
-        keep_drawn(means.kept, search, count, [(each.values, each.text) for each in found])
+    asked, name = asked_of(question, means), f"question-{question.number}"
+    some = members_again(means.kept, question.problem, search, count, asked, name, question_made, QuestionMade)
+    found = [Drawn(question, each.values, each.text, Packed.of(_question(each.made))) for each in some]
     return in_turn(exam, question, search, found, count)
-
-
-def _drawn_before(question: Question, search: Search, count: int, means: Means) -> list[Drawn]:
-    """Return the members that the same search found before; none where they must be searched."""
-    drawn_then, found = drawn_before(means.kept, search, count), list[Drawn]()
-    asked, limits = asked_of(question, means), _limits(means, _parts(question))
-    for start in range(0, len(drawn_then), AT_ONCE):
-        some = drawn_then[start : start + AT_ONCE]
-        calls = [(text, question.source.name, asked) for _, text in some]
-        made = all_made(means.executor, limits, question_made, calls, _memory(question, means))
-        if not all(isinstance(each, QuestionMade) and each.status is Status.VERIFIED for each in made):
-            return []  # a limit was met, say: the search says it
-        told = zip(some, made, strict=True)
-        found += [Drawn(question, values, text, Packed.of(each)) for (values, text), each in told]
-    return found
 
 
 def _question(made: Made) -> QuestionMade:

@@ -14,12 +14,14 @@ from solver.document.works import document_of, solve_as_told
 from solver.engine import Solution
 from solver.executors import Executor
 from solver.limits import Exceeded, Limits
+from solver.papers.again import members_again
 from solver.papers.exam.drawing import Means, in_turn, search_of
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.scaling import scaled
 from solver.papers.exam.solved import solve_each
 from solver.papers.exam.submitted import ExamSubmission
-from solver.papers.families import Wanted, members
+from solver.papers.families import Wanted
+from solver.papers.marked import MarkedBefore, keep_worked, worked_before
 from solver.problem.model import Problem
 from solver.problem.partial import ruled
 from solver.problem.reader import read_problem
@@ -48,7 +50,8 @@ def solutions_of(
                 problem = read_problem(Source(question.source.name, texts[number - 1]), catalogue())
                 problems[place] = prepared(scaled(problem, question.marks))
             places[number].append(place)
-    solved = dict(zip(problems, solve_each(list(problems.values()), means.limits, means.executor), strict=True))
+    found = solve_each(list(problems.values()), means.limits, means.executor, means.kept)
+    solved = dict(zip(problems, found, strict=True))
     return {number: [solved[place] for place in of_variant] for number, of_variant in places.items()}
 
 
@@ -63,20 +66,20 @@ def _texts(exam: Exam, question: Question, count: int, means: Means) -> list[str
     if question.problem.family is None:
         return [question.source.text] * count
     search = search_of(exam, question, means)
-    found = [each.text for each in members(search, count, Wanted(limits=means.limits), "member")]
+    wanted = Wanted(limits=means.limits)
+    found = [each.text for each in members_again(means.kept, question.problem, search, count, wanted, "member")]
     return in_turn(exam, question, search, found, count)
 
 
 def marked(
     papers: Sequence[ExamSubmission],
     solutions: Solutions,
-    limits: Limits,
-    templates: Path | None,
-    executor: Executor,
+    means: Means,
 ) -> Iterator[tuple[Marking, ...]]:
     """Yield the markings of each paper, one for each question."""
     pairs = [pair for paper in papers for pair in zip(solutions[paper.variant], paper.answers, strict=True)]
-    markings = mark_each(pairs, limits, templates, executor)
+    templates, memory = means.presentation.templates, MarkedBefore(means.kept)
+    markings = mark_each(pairs, means.limits, templates, means.executor, memory)
     for paper in papers:
         yield tuple(next(markings) for _ in paper.answers)
 
@@ -108,17 +111,24 @@ def read_as(
         yield stopped or Readings(paper.student, tuple(values), remarks)
 
 
-def worked_of(solutions: Solutions, presentation: Presentation, limits: Limits, executor: Executor) -> Worked:
+def worked_of(solutions: Solutions, means: Means) -> Worked:
     """Return the worked solutions, each worded once however many variants have it; None where it met its limit."""
     places: dict[int, list[tuple[int, int]]] = {}
     for variant, of_questions in solutions.items():
         for number, solution in enumerate(of_questions, 1):
             places.setdefault(id(solution), []).append((variant, number))
-    calls = [(solutions[variant][number - 1], presentation, number) for (variant, number), *_ in places.values()]
+    calls = [(solutions[variant][number - 1], means.presentation, number) for (variant, number), *_ in places.values()]
+    documents = [worked_before(means.kept, *each) for each in calls]
+    new = [place for place, document in enumerate(documents) if document is None]
     parts = max((len(solution.parts) for solution, *_ in calls), default=1)
-    found = executor.in_order(limits.times(parts), _worked, calls)
-    told = [(each, document) for each, document in zip(places.values(), found, strict=True)]
-    return {place: None if isinstance(document, Exceeded) else document for each, document in told for place in each}
+    found = means.executor.in_order(means.limits.times(parts), _worked, [calls[place] for place in new])
+    for place, document in zip(new, found, strict=True):
+        if not isinstance(document, Exceeded):
+            documents[place] = document
+            solution, *told = calls[place]
+            keep_worked(means.kept, solution, document, *told)
+    told_of = zip(places.values(), documents, strict=True)
+    return {place: document for each, document in told_of for place in each}
 
 
 def _worked(solution: Solution, presentation: Presentation, number: int) -> Document:

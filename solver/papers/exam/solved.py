@@ -16,6 +16,8 @@ from solver.executors import Executor
 from solver.limits import Exceeded, Limits, Solved, solve_within
 from solver.limits.child import Reply, Unit
 from solver.limits.results import sent
+from solver.papers.kept import NOTHING, Kept
+from solver.papers.marked import keep_solved, solved_before
 from solver.problem.model import Problem
 from solver.problem.source import Diagnostic, InputError, Source
 
@@ -31,23 +33,35 @@ class Refused:
 Replies = list[tuple[Unit, Reply]]
 
 
-def solve_each(problems: Sequence[Problem], limits: Limits, executor: Executor) -> list[Solution]:
-    """Return the solutions in the order of the problems; raises InputError where a question is wrong as it is asked."""
+def solve_each(problems: Sequence[Problem], limits: Limits, executor: Executor, kept: Kept = NOTHING) -> list[Solution]:
+    """Return the solutions in the order of the problems; raises InputError where a question is wrong as it is asked.
+
+    What is kept is not solved again.
+    """
+    solved = [solved_before(kept, each) for each in problems]
+    new = [place for place, each in enumerate(solved) if each is None]
+    for place, each in zip(new, _solved([problems[place] for place in new], limits, executor), strict=True):
+        keep_solved(kept, each)
+        solved[place] = each
+    return [each.solution() for each in solved if each is not None]
+
+
+def _solved(problems: Sequence[Problem], limits: Limits, executor: Executor) -> list[Solved]:
     carried = [replace(each, images={}) for each in problems]
     found: list[Replies | Refused | Exceeded] = list(executor.in_order(limits, _whole, ((each,) for each in carried)))
     left = [place for place, result in enumerate(found) if isinstance(result, Exceeded)]
     wide = limits.around(max((len(carried[place].parts) + len(_units(carried[place])) for place in left), default=0))
     for number, result in executor.calls(wide, _by_parts, ((carried[place], limits) for place in left)):
         found[left[number]] = result
-    return [_solution(*each) for each in zip(problems, found, strict=True)]
+    return [_sent(*each) for each in zip(problems, found, strict=True)]
 
 
-def _solution(problem: Problem, found: Replies | Refused | Exceeded) -> Solution:
+def _sent(problem: Problem, found: Replies | Refused | Exceeded) -> Solved:
     if isinstance(found, Refused):
         raise InputError(found.source, found.diagnostics)
     if isinstance(found, Exceeded):  # who kept the limits of its parts is lost
         found = [(unit, Reply(failure=found.reason)) for unit in _units(problem)]
-    return Solved(problem, found).solution()
+    return Solved(problem, found)
 
 
 def _whole(problem: Problem) -> Replies | Refused:
