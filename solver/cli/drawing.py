@@ -8,14 +8,17 @@ from pathlib import Path
 
 import click
 
-from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
+from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_changed
 from solver.cli.executing import Workers
+from solver.cli.keeping import pdf_engine
 from solver.cli.progress import search_bar
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
+from solver.cli.store import Store
 from solver.document.model import Presentation
 from solver.limits import Limits
+from solver.papers.again import members_again
 from solver.papers.difficulty import Difficulty, spread_of
-from solver.papers.families import YAML, Member, Wanted, family_of, members
+from solver.papers.families import YAML, Member, Wanted, family_of
 from solver.papers.search import Search
 from solver.papers.telling import shortage, took
 from solver.problem.model import Problem
@@ -38,6 +41,7 @@ class Order:
     check: bool
     draws: int
     workers: Workers
+    again: bool = False
 
     @property
     def stem(self) -> str:
@@ -66,14 +70,24 @@ def draw_members(order: Order) -> int:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
     settle()
+    store = Store(order.folder, order.presentation.templates, anew=order.again)
     with order.workers.executor() as executor, search_bar(order.count) as tell:
         search = Search(source, family, order.seed, order.limits, order.draws, executor, tell)
         wanted = Wanted(order.formats, order.presentation, order.limits, order.check)
         found: list[Member] = []
-        for member in members(search, order.count, wanted, order.stem):
+        for member in members_again(
+            store,
+            problem,
+            search,
+            order.count,
+            wanted,
+            order.stem,
+            engine=pdf_engine(order.formats, wanted.presentation),
+        ):
             _write(member, order, problem)
             found.append(member)
         tell(search.draws, len(found))
+    store.forget_others()
     return _conclude(order, source, search, found)
 
 
@@ -87,7 +101,7 @@ def _write(member: Member, order: Order, problem: Problem) -> None:
         path = order.folder / name
         if order.file != STANDARD and path.resolve() == Path(order.file).resolve():
             raise AtFault(f"{path} is the family itself; it is not overwritten")
-        write_whole(path, content)
+        write_changed(path, content)
     values = ", ".join(f"{name} = {text}" for name, text in member.values.items())
     click.echo(f"{member.name}: {values}")
 

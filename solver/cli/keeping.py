@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
@@ -17,6 +17,7 @@ from solver.problem.source import InputError, Source
 
 if TYPE_CHECKING:
     from solver.cli.solving import Request
+    from solver.document.model import Presentation
 
 
 class Solved:
@@ -70,18 +71,23 @@ class Solved:
         request, destination = self.request, self.request.destination
         where = {format_: str(path) for format_, path in destination.paths(file).items()}
         presentation = request.presentation
-        told = repr(presentation), hash_of_folder(presentation.templates), request.verbose, engine_of(request)
+        told = (
+            repr(presentation),
+            hash_of_folder(presentation.templates),
+            request.verbose,
+            pdf_engine(destination.formats, presentation),
+        )
         return key_of(file, source.text, where, told)
 
 
-def engine_of(request: Request) -> str:
+def pdf_engine(formats: Collection[str], presentation: Presentation) -> str:
     """Return what makes PDFs, where some are made."""
     from solver.render import pdf
 
-    if "pdf" not in request.destination.formats:
+    if "pdf" not in formats:
         return ""
     with suppress(pdf.PdfUnavailable):
-        return str(pdf.chosen(request.presentation.pdf_engine))
+        return str(pdf.chosen(presentation.pdf_engine))
     return ""
 
 

@@ -8,7 +8,7 @@ import click
 
 from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
+from solver.cli.run import AGAIN, DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
 
 
 @click.command(short_help="Draw members of a family of problems.")
@@ -27,6 +27,7 @@ from solver.cli.run import DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatLis
 @LANGUAGE
 @NOTATION
 @executing
+@AGAIN
 @TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each member.")  # fmt: skip
@@ -46,6 +47,7 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
     language: str | None,
     notation: str | None,
     workers: Workers,
+    again: bool,
     time_limit: float,
     memory_limit: int,
 ) -> None:
@@ -70,4 +72,4 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
         pdf_engine=pdf_engine,
     )
     limits = Limits(time_limit, memory_limit)
-    ctx.exit(draw_members(Order(problem, count, seed, formats, output, told, limits, check, draws, workers)))
+    ctx.exit(draw_members(Order(problem, count, seed, formats, output, told, limits, check, draws, workers, again)))
