@@ -30,6 +30,9 @@ def write_exports(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]],
         return UNSOLVED
     for each in bank.left_out:
         click.echo(f"left out, as it has no solution: {each}", err=True)
+    if not bank.quiz.groups:
+        click.echo("nothing was written: no question has a solution", err=True)
+        return UNSOLVED
     paths = []
     for name in order.exports:
         export = EXPORTS[name]

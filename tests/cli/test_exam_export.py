@@ -62,12 +62,28 @@ def test_what_is_wrong_is_said(solve, exam, options, told):
     assert told in done.err
 
 
-def test_nothing_is_written_where_a_question_is_not_verified(solve, tmp_path):
-    write_exam(tmp_path, EXAM, step='title: t\nsystem: {A: [[1, 0], [0, 2]], B: [0, 1]}\n'
-               "find: {a: {task: pole_placement, poles: [-1, -2]}}\n")  # fmt: skip
+UNSOLVED = """\
+title: t
+system: {A: [[1, 0], [0, 2]], B: [0, 1]}
+find: {a: {task: pole_placement, poles: [-1, -2]}}
+"""
+
+
+def test_a_question_without_a_solution_is_left_out_and_the_others_go_on(solve, tmp_path):
+    write_exam(tmp_path, EXAM, step=UNSOLVED)
+    done = solve("exam", "exam.yaml", "-o", "build", "--export", "moodle,qti,canvas", "--jobs", 1)
+    assert done.code == 0, done.err
+    assert "left out, as it has no solution: 2. t: part a: " in done.err
+    read = read_moodle((tmp_path / "build" / "exam-moodle.xml").read_bytes())
+    assert {each.idnumber[:12] for each in read} == {"final-exam-1", "final-exam-3"}
+
+
+def test_where_no_question_has_a_solution_nothing_is_written(solve, tmp_path):
+    only = EXAM.replace("  - {problem: family.yaml, marks: 10}\n", "")
+    write_exam(tmp_path, only[: only.index("  - problem:\n")] + "variants: {count: 2}\n", step=UNSOLVED)
     done = solve("exam", "exam.yaml", "-o", "build", "--export", "moodle", "--jobs", 1)
     assert done.code == 1
-    assert "nothing was written" in done.err
+    assert "nothing was written: no question has a solution" in done.err
     assert not list(tmp_path.rglob("*-moodle.xml"))
 
 

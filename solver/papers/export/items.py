@@ -62,7 +62,7 @@ def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
     name = PurePath(source).name
     worked = document_of(solution, told, name)
     unsolved = {work.id: work for work in reversed(worked.parts) if work.status is not Status.VERIFIED}
-    if worked.status is Status.FAILED or len(unsolved) == len(problem.parts):
+    if worked.status is Status.FAILED:
         part = next(part for part in worked.parts if part.status is worked.status)
         return ItemsMade(fault=f"part {part.letter}: {part.reason}")
     paper, key = (worked.told(detail=detail, checks="") for detail in ("question", "key"))

@@ -82,4 +82,6 @@ find: {a: {task: stability}, b: {task: second_order_parameters}}
     assert [(letter, len(items)) for letter, _, items in made.parts] == [("a", 1), ("b", 0)]
     assert len(made.left_out) == 1
     assert made.left_out[0].startswith("part b: ")
-    assert items_made(text.replace("a: {task: stability}, ", ""), "p.yaml", Wanted((), Presentation("full"))).fault
+    none = items_made(text.replace("a: {task: stability}, ", ""), "p.yaml", Wanted((), Presentation("full")))
+    assert ([items for _, _, items in none.parts], none.fault) == ([()], "")
+    assert none.left_out[0].startswith("part b: ")
