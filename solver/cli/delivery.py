@@ -111,5 +111,5 @@ class Delivery:
 
 def _data(paper: Paper, marking: Marking | None) -> dict[str, Any]:
     if marking is None:
-        return {"student": "", "error": paper.fault}
+        return {"student": "", "error": paper.fault, "needs_review": True}
     return {"student": marking.student, **as_data(marking)}

@@ -106,7 +106,9 @@ def _tell_readings(request: CheckRequest, read: Sequence[HandedIn], solutions: S
 def _tell(request: CheckRequest, graded: Sequence[Graded]) -> None:
     """Write the markings, as text or as a list of data, where they are asked for."""
     if request.chosen_format == "json":
-        items = [each.data() for each in graded]
+        from solver.papers.exam.grades import data_of
+
+        items = data_of(graded)
         content = json.dumps(items, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
     else:
         content = "".join(_text(request, each) for each in graded if each.marking is not None)

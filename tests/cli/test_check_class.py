@@ -42,6 +42,7 @@ def test_a_folder_stands_for_the_answer_files_in_it_and_their_data_are_a_list(so
     assert bob["parts"][0]["answers"]["K"]["typed"] == "[13, 7]"
     assert bob["needs_review"]
     assert "eve.yaml:2:" in eve["error"]
+    assert eve["needs_review"] is True
 
 
 def test_the_list_may_go_to_a_file_that_is_there_and_one_file_is_no_list(solve, folder):

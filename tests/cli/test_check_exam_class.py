@@ -111,6 +111,26 @@ def test_students_of_several_files_are_named_and_left_out_of_the_mean(check):
     assert "2 of 3" in equal
 
 
+def test_the_data_say_who_needs_review_as_the_table_does(check):
+    done, rows, _ = check(
+        {
+            "1.yaml": answers("student: Anna"),
+            "2.yaml": answers("student: Anna", WRONG),
+            "3.yaml": answers("student: anna", WRONG),
+            "4.yaml": "student: [",
+            "5.yaml": "student: Ben Ito\nanswers: {1: {a: {eigenvalues: }}}\n",
+            "6.yaml": answers("student: Cleo", "bananas"),
+        },
+        "-f",
+        "json",
+        students=("Anna", "anna", "Ben Ito", "Cleo"),
+    )
+    data = json.loads(done.out)
+    assert [each["needs_review"] for each in data] == [True, True, False, True, True, True]
+    assert [row["needs review"] == "yes" for row in rows[:6]] == [each["needs_review"] for each in data]
+    assert [each.get("status") for each in data] == [None, None, None, "not readable", None, None]
+
+
 def test_who_handed_in_twice_only_leaves_nothing_to_count(check):
     _, rows, page = check({f"{n}.yaml": answers("student: Anna") for n in range(2)})
     assert len(rows) == 4

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -35,12 +35,6 @@ class Graded:
     of_questions: tuple[Marking, ...] = ()
     status: str = NOT_READABLE
 
-    def data(self) -> dict[str, Any]:
-        """Return the marking as dictionaries, lists, texts and numbers, or the error."""
-        if self.marking is None:
-            return {"file": self.file, "student": self.student, "error": self.fault}
-        return {"file": self.file, "variant": self.variant, "student": self.student, **as_data(self.marking)}
-
     @property
     def is_blank(self) -> bool:
         """Whether it was marked, and nothing is answered in it."""
@@ -60,6 +54,23 @@ def several_of(graded: Sequence[Graded]) -> dict[str, list[str]]:
         if each.marking is not None and each.student:
             files.setdefault(each.student, []).append(each.file)
     return {student: names for student, names in files.items() if len(names) > 1}
+
+
+def data_of(graded: Sequence[Graded]) -> list[dict[str, Any]]:
+    """Return the markings of a class as dictionaries, lists, texts and numbers, or why there is none."""
+    several = several_of(graded)
+    return [{**_data(each), "needs_review": needs_review(each, several)} for each in graded]
+
+
+def _data(each: Graded) -> dict[str, Any]:
+    if each.marking is None:
+        return {"file": each.file, "student": each.student, "error": each.fault, "status": each.status}
+    return {"file": each.file, "variant": each.variant, "student": each.student, **as_data(each.marking)}
+
+
+def needs_review(each: Graded, several: Collection[str]) -> bool:
+    """Whether a person should look at a file: also one without marks or answers, or one of several of a student."""
+    return each.marking is None or each.marking.needs_review or each.student in several or each.is_blank
 
 
 def counted(graded: Sequence[Graded]) -> list[Graded]:
@@ -90,7 +101,7 @@ def grades_table(exam: Exam, graded: Sequence[Graded]) -> str:
             writer.writerow([*first, *("" for _ in names), each.status, "", "yes"])
             continue
         total, of_parts, _ = marks_that_add_up(each.marking)
-        review = "yes" if each.marking.needs_review or each.student in several or each.is_blank else "no"
+        review = "yes" if needs_review(each, several) else "no"
         writer.writerow([*first, *_cells(exam, of_parts), number(total), number(each.marking.out_of), review])
     numbers = {student: place for place, student in enumerate(exam.students, 1)}
     for student in missing(exam, graded):

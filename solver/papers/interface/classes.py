@@ -21,7 +21,7 @@ from solver.executors import Executor, Processes
 from solver.limits import Limits
 from solver.messages import Messages
 from solver.papers.exam.drawing import Means
-from solver.papers.exam.grades import Graded, grades_table, missing
+from solver.papers.exam.grades import Graded, data_of, grades_table, missing
 from solver.papers.exam.handed_in import HandedIn, handed_in
 from solver.papers.exam.marking import Solutions, Worked, marked, prepared, solutions_of, worked_of
 from solver.papers.exam.model import Exam
@@ -79,7 +79,7 @@ class MarkedExam:
 
     def data(self) -> list[dict[str, Any]]:
         """Return the markings as dictionaries, lists, texts and numbers: what `solve check -f json` prints."""
-        return [each.data() for each in self.papers]
+        return data_of(self.papers)
 
     def _repr_html_(self) -> str:
         """The report in a frame of its own."""
