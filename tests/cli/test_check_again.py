@@ -17,7 +17,10 @@ questions:
       find: {a: {task: eigenstructure, answers: [eigenvalues]}, b: characteristic_polynomial}
 variants: {count: 2}
 """
-PROBLEM = "system: {matrix: [[1, 2], [0, 4]]}\nfind: {a: {task: eigenstructure, answers: [eigenvalues]}, b: characteristic_polynomial}\n"
+PROBLEM = """\
+system: {matrix: [[1, 2], [0, 4]]}
+find: {a: {task: eigenstructure, answers: [eigenvalues]}, b: characteristic_polynomial}
+"""
 COUNT = 8
 
 
