@@ -173,7 +173,7 @@ def test_a_search_that_a_limit_cut_short_is_not_kept():
     search.judgements = {}
     search.draws = search.count = search.seed = search.most = 9
     search.source = SimpleNamespace(name="", text="")
-    members = [SimpleNamespace(values={}, text="")]
+    members = [({}, "")]
     keep_drawn(SimpleNamespace(put=lambda *data: kept.append(data)), search, 2, members)
     assert not kept
     keep_drawn(SimpleNamespace(put=lambda *data: kept.append(data)), search, 1, members)
