@@ -17,7 +17,7 @@ from typing import Any
 from solver.api import source_of
 from solver.classroom.reading.files import answer_files, load_submitted
 from solver.document.model import Presentation, in_a_frame
-from solver.executors import Executor, Processes
+from solver.executors import Processes
 from solver.limits import Limits
 from solver.messages import Messages
 from solver.papers.exam.drawing import Means
@@ -120,20 +120,19 @@ def check_exam(  # noqa: PLR0913 - all but the first two have names
         variants = {each.submission.variant for each in files if each.submission is not None}
         tell(0, len(files), "solving")
         ruled = partial(prepared, told, partial_credit)
-        solutions = solutions_of(read, variants, Means(told, within, executor), ruled)
-        graded = _graded(files, solutions, told, within, executor, tell)
-        worked = worked_of(solutions, told, within, executor) if solution else {}
+        means = Means(told, within, executor)
+        solutions = solutions_of(read, variants, means, ruled)
+        graded = _graded(files, solutions, means, tell)
+        worked = worked_of(solutions, means) if solution else {}
     if override is not None:
         graded = _overridden(source_of(override), read, graded)
     messages = told.messages(read.questions[0].problem.display)
     return MarkedExam(read, graded, solutions, messages, told.templates, worked)
 
 
-def _graded(
-    files: Sequence[HandedIn], solutions: Solutions, told: Presentation, limits: Limits, executor: Executor, tell: Tell
-) -> tuple[Graded, ...]:
+def _graded(files: Sequence[HandedIn], solutions: Solutions, means: Means, tell: Tell) -> tuple[Graded, ...]:
     papers = [each.submission for each in files if each.submission is not None]
-    markings = marked(papers, solutions, limits, told.templates, executor)
+    markings = marked(papers, solutions, means)
     graded = []
     for number, each in enumerate(files):
         tell(number, len(files), "marking")
