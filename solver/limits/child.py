@@ -33,7 +33,7 @@ from solver.words import Phrase, Reason
 if TYPE_CHECKING:
     from multiprocessing.context import ForkContext, SpawnContext
 
-    from solver.document.model import Presentation, Work
+    from solver.document.model import Presentation
     from solver.document.works import Writer
     from solver.limits.results import Sent
     from solver.problem.model import Part, Problem
@@ -263,14 +263,10 @@ class _Worker:
         from solver.engine import solve_part  # noqa: PLC0415 - as above
         from solver.limits.results import sent  # noqa: PLC0415 - as above
 
-        arithmetic = self.writer is not None and self.writer.presentation.arithmetic
-        asked = replace(unit.part, methods=(unit.method,))
-        result = solve_part(asked, self.known, arithmetic=arithmetic)[0]
+        writer, asked = self.writer, replace(unit.part, methods=(unit.method,))
+        result = solve_part(asked, self.known, arithmetic=writer is not None and writer.presentation.arithmetic)[0]
         self.known.setdefault(result.id, result)
-        work: Work | None = None
-        if self.writer is not None:
-            work = self.writer.work(result, self.known)
-        return sent(result, work)
+        return sent(result, writer.work(result, self.known) if writer is not None else None)
 
 
 def as_bug(bug: Exception) -> str:
