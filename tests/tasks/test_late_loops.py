@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
+import math
+
 import pytest
 import sympy as sp
 
@@ -140,3 +143,25 @@ def test_what_a_late_loop_cannot_be_asked_names_what_can(task):
     result = ask(task, plant(LAG), controller=ONE, feedback=ONE, **options)
     assert result.status is Status.UNSOLVED
     assert all(name in str(result.reason) for name in ("stability_margins", "dc_gain", "steady_state_error"))
+
+
+@pytest.mark.parametrize(("C", "H"), [(sp.Integer(2), ONE), (ONE, 1 / (s + 2)), (1 / (4 * s), sp.Integer(3))])
+def test_the_frequency_response_of_a_late_loop_at_a_frequency(C, H):
+    result = ask("frequency_response", plant(LAG), controller=C, feedback=H, frequency=sp.Integer(2))
+    assert result.status is Status.VERIFIED
+    F = complex((C * LAG * sp.exp(-s)).subs(s, 2j))
+    T = F / (1 + F * complex(sp.S(H).subs(s, 2j)))
+    assert float(result.answers["magnitude"]) == pytest.approx(abs(T))
+    assert float(result.answers["phase"]) == pytest.approx(math.degrees(cmath.phase(T)))
+
+
+def test_the_steady_answer_of_a_late_loop_to_a_sinusoid():
+    asked = {"controller": sp.Integer(2), "feedback": ONE, "input": 3 * sp.sin(t)}
+    result = ask("frequency_response", plant(LAG), **asked)
+    assert result.status is Status.VERIFIED
+    assert "late_crossovers" in [step.kind for step in result.steps]
+    y, T = result.answers["y_steady_state"], 2 * cmath.exp(-1j) / (1 + 1j + 2 * cmath.exp(-1j))
+    for at in (0.0, 1.3):
+        assert float(y.subs(t, at)) == pytest.approx((3 * T * cmath.exp(1j * at)).imag)
+    unstable = ask("frequency_response", plant(LAG), **{**asked, "controller": sp.Integer(3)})
+    assert "never_steady_late" in unstable.reason.kind

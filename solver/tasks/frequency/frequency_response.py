@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +31,7 @@ from solver.tasks.frequency import response_checks, response_mistakes
 from solver.tasks.frequency.boundary import of_samples, on_boundary, period_of
 from solver.tasks.frequency.crossovers import angle_rows, approximation, formula_of, on_axis_of, shown_polynomial
 from solver.tasks.frequency.figures import bode_figure
+from solver.tasks.frequency.late_response import of_late_loop, waves_of
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
@@ -96,6 +97,8 @@ def is_no_frequency(system: System, options: ResponseOptions) -> Iterable[Refusa
 def on_the_axis(given: Given[OpenLoop, ResponseOptions]) -> Derivation[Answers]:
     """T(jω), discrete T(e^{jωT}), by size and angle; at one frequency, or as functions with resonance and bandwidth."""
     loop, options = given.system, given.options
+    if loop.closed and loop.delay != 0:
+        return (yield from of_late_loop(loop, options))
     T = yield from _transfer(loop)
     if options.input is not None:
         return (yield from _steady(loop, T, options.input))
@@ -130,8 +133,6 @@ def _transfer(loop: OpenLoop) -> Derivation[exact.OnAxis]:
     s, N, D = loop.variable, loop.numerator, loop.denominator
     if not loop.closed:
         return on_boundary(loop)
-    if loop.delay != 0:
-        raise Unsolved("frequency/closed_with_dead_time")
     forward = sp.cancel(loop.C * loop.G)
     if sp.cancel(1 + N / D) == 0:
         raise Unsolved("conversions/ill_posed_loop")
@@ -220,20 +221,10 @@ def _steady(loop: OpenLoop, T: exact.OnAxis, u: Expr) -> Derivation[Answers]:
     radians = _radians(T, wave.omega, angle)
     turned = (per_sample if loop.discrete else wave.omega) * t + radians
     y = sp.Add(*(sp.expand(size * magnitude) * f(angle_of(turned), evaluate=False)
-                 for size, f, angle_of in _waves(u, wave)))  # fmt: skip
+                 for size, f, angle_of in waves_of(u, wave)))  # fmt: skip
     yield Step("steady_state", unclaimed="the answer, which has a check of its own", y=y, omega=wave.omega, u=u,
                angle=angle, radians=radians, magnitude=magnitude, discrete=loop.discrete)  # fmt: skip
     return Answers(magnitude=magnitude, phase=angle, y_steady_state=y)
-
-
-def _waves(u: Expr, wave: exact.Sinusoid) -> list[tuple[Expr, Any, Callable[[Any], Any]]]:
-    """The input as size, sin or cos, and how its angle grows by the phase: one wave where it was written as one."""
-    size, alone = u.as_independent(*(x for x in u.free_symbols if str(x) in ("t", "k")), as_Add=False)
-    if isinstance(alone, sp.sin | sp.cos):
-        start = alone.args[0].as_independent(sp.Symbol("t"), sp.Symbol("k"), as_Add=True)[0]
-        if not (alone.args[0] - start).could_extract_minus_sign():
-            return [(size, alone.func, lambda turned: turned + (sp.N(start, 30) if turned.has(sp.Float) else start))]
-    return [(part, f, lambda turned: turned) for part, f in ((wave.cosine, sp.cos), (wave.sine, sp.sin)) if part != 0]
 
 
 def _radians(T: exact.OnAxis, omega: Expr, angle: Expr) -> Expr:
