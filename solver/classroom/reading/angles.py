@@ -15,8 +15,14 @@ HALF_TURN = sp.Integer(180)
 CONVERTED = 50
 """A factor beyond it turns radians into degrees already: 57.3 arctan(ω)."""
 _OF_TWO = re.compile(r"(?<![A-Za-z_])(?:a|arc)tan2\s*\(")
+_INVERSE = re.compile(r"\\?(?<![A-Za-z_])(sin|cos|tan)\s*(?:\^\s*[{(]?\s*[-−]\s*1\s*[)}]?|⁻¹)\s*")
 _ANGLES = (sp.atan, sp.asin, sp.acos)
 _SCALE = sp.Dummy("scale", positive=True)
+
+
+def with_arcs(text: str) -> str:
+    """Return an angle with tan^-1 as atan, which can be nothing else there."""
+    return _INVERSE.sub(r"a\1 ", text)
 
 
 def with_one_argument(text: str) -> str:

@@ -8,12 +8,12 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading import counts, polynomials, units, words
+from solver.classroom.reading import items as listed
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.items import as_differences, items_of, matrices_of, placed, unlabelled, without_dots
 from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
-from solver.classroom.reading.nodes import flat, is_trivial, labelled, lower, only, rows_of, text_of
+from solver.classroom.reading.nodes import are_single, flat, is_trivial, labelled, lower, only, rows_of, text_of
 from solver.classroom.reading.prepared import with_powers, without_powers
 from solver.classroom.reading.segments import are_intervals, segments
 from solver.classroom.reading.spelling import typed
@@ -131,28 +131,33 @@ class KindReader:
         if isinstance(node, ScalarNode) and words.is_none(node.text, self.expected.name):
             return [], []
         if self.expected.zero:
-            node = as_differences(node)
+            node = listed.as_differences(node)
         if self.expected.intervals or are_intervals(ours):
             return (segments(node, self.texts),) * 2
         return self._list(node, () if isinstance(ours, sp.Set) else ours)
 
     def _list(self, node: Node, ours: Sequence[Any]) -> Pair:
         """A list of expressions (with ± for two), of matrices, of conditions, or of words."""
-        grid = not (ours and (is_condition(ours[0]) or isinstance(ours[0], sp.MatrixBase | str)))
+        single = bool(ours) and getattr(ours[0], "shape", ()) == (1, 1) and are_single(node)  # 3, -1 of [3], [-1]
+        grid = single or not (ours and (is_condition(ours[0]) or isinstance(ours[0], sp.MatrixBase | str)))
         if (
             ours
             and isinstance(ours[0], sp.MatrixBase)
             and isinstance(node, ScalarNode)
-            and (each := matrices_of(node.text))
+            and (each := listed.matrices_of(node.text))
         ):
             self.texts.respelt = True
             node = SequenceNode(node.place, tuple(ScalarNode(node.place, text, "quoted") for text in each))
+        if ours and isinstance(ours[0], str) and isinstance(node, ScalarNode):
+            node = listed.words_of(node)
         if isinstance(node, ScalarNode) and (bare := units.inside(node.text, self.texts.unit)) != node.text:
             node = ScalarNode(node.place, bare, "quoted")
-        node = self._unfolded(without_dots(node) if self.expected.continued else node, grid=grid)
+        node = self._unfolded(listed.without_dots(node) if self.expected.continued else node, grid=grid)
         if isinstance(node, MappingNode):
             node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
-        items = items_of(node, self.texts)
+        if self.expected.zero:
+            node = listed.as_differences(node)
+        items = listed.items_of(node, self.texts)
         if not grid:
             pairs = [self.read(item, ours[0]) for item in items]
             return [value for value, _ in pairs], [form for _, form in pairs]
@@ -161,11 +166,11 @@ class KindReader:
         report = Report()
         if len(flat(items)) > MAX_ENTRIES:
             raise node.fault(f"a list of more than {MAX_ENTRIES} items cannot be read")
-        for item in self._with_unit(unlabelled(flat(items), self.texts) or flat(items)):
+        for item in self._with_unit(listed.unlabelled(flat(items), self.texts) or flat(items)):
             with report:
                 for value, form in self.texts.alternatives(item):
-                    values.append(value)
-                    forms.append(form)
+                    values.append(sp.ImmutableMatrix([[value]]) if single else value)
+                    forms.append(sp.ImmutableMatrix([[form]]) if single else form)
         report.conclude()
         return values, forms
 
@@ -181,12 +186,8 @@ class KindReader:
         return [ScalarNode(item.place, text, "quoted") for item, text in zip(items, found, strict=True)]
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
-        if lower(node) in words.NONE and self.expected.name == "D" and 0 not in ours.shape:  # nothing goes through
-            return (sp.ImmutableMatrix(sp.zeros(*ours.shape)),) * 2
         if lower(node) in words.NONE:
-            if ours.cols and not self.expected.vectors and self.expected.name in ("A", "B", "C", "D"):
-                raise node.fault("a matrix is expected here")
-            return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
+            return (self._nothing(node, ours),) * 2
         if (size := words.whole_space(typed(node))) == ours.rows == ours.cols:
             self.texts.respelt = True
             return (sp.ImmutableMatrix(sp.eye(size)),) * 2
@@ -198,7 +199,7 @@ class KindReader:
         if is_trivial(node):
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
         if isinstance(node, SequenceNode):
-            node = placed(node, self.texts) or node
+            node = listed.placed(node, self.texts) or node
         rows = rows_of(node, ours)
         if self.expected.name == "array":  # Routh's, whose zeros at the end of a row are often left out
             rows = without_powers(rows)
@@ -221,6 +222,14 @@ class KindReader:
         report.conclude()
         read = sp.ImmutableMatrix(values), sp.ImmutableMatrix(forms)
         return self._turned(*self._renamed(read, polynomials.in_usual_letter(read, ours, self._known)), ours)
+
+    def _nothing(self, node: Node, ours: sp.MatrixBase) -> Any:
+        """What "none" stands for: no vectors, or that nothing goes through to the output."""
+        if self.expected.name == "D" and 0 not in ours.shape:
+            return sp.ImmutableMatrix(sp.zeros(*ours.shape))
+        if ours.cols and not self.expected.vectors and self.expected.name in ("A", "B", "C", "D"):
+            raise node.fault("a matrix is expected here")
+        return sp.ImmutableMatrix(ours.rows, 0, [])
 
     def _turned(self, value: Any, form: Any, ours: sp.MatrixBase) -> Pair:
         """A vector in the orientation of ours: a gain written as a column is the row that is asked for."""

@@ -38,6 +38,8 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
          r"(?: real| reellen)?(?: values of)? [A-Za-z]\w*\s*$", "never"),
         (r"^\s*(?:never stable|nie(?:mals)? stabil|always unstable|immer instabil|∅|\{\s*\}|(?:the )?empty set"
          r"|(?:die )?leere menge)\s*$", "never"),
+        (r"^[^<>≤≥]*[<>≤≥].*(?:[,;.]\s*(?:so|hence|thus|therefore|also|d\.h\.|i\.e\.)|⇒|→|=>|⟹)\s*"
+         r"(?=[^<>≤≥]*[<>≤≥∈])", ""),
         (r"^\s*(?:for|if|iff|when|für|wenn|falls)\s+(?=\S)", ""),
         (r"^\s*(?:all|every|any|alle)\s+(?=[A-Za-z]\w*\s)", ""),
         (r"\s*\((?:asymptotically |asymptotisch )?(?:stable|stabil)\)\s*$", ""),

@@ -11,11 +11,12 @@ _NONE = {"none", "no", "keine"}
 _FULL = {"full", "maximal", "voll", "voller", "vollen"}
 _NOUNS = {"rank", "rang", "root", "roots", "pole", "poles", "eigenvalue", "eigenvalues", "nullstelle", "nullstellen",
           "eigenwert", "eigenwerte", "step", "steps", "schritt", "schritte", "schritten", "sample", "samples", "type",
+          "period", "periods", "sampling", "abtastperioden",
           "typ", "takt", "takte", "takten", "abtastschritt", "abtastschritte", "abtastschritten", "integrator",
           "integrators", "umläufe", "integratoren", "encirclement", "encirclements", "umrundung",
           "umrundungen"}  # fmt: skip
-_FILLING = {"there", "is", "are", "it", "has", "the", "lie", "lies", "es", "gibt", "ist", "hat", "der", "liegt",
-            "liegen", "=", "after", "nach"}  # fmt: skip
+_FILLING = {"a", "system", "there", "is", "are", "it", "has", "the", "lie", "lies", "es", "gibt", "ist", "hat", "der",
+            "liegt", "liegen", "=", "after", "nach"}  # fmt: skip
 _OUT_OF = re.compile(
     r"\s*(?:rank|rang)?\s*=?\s*(\d{1,3})\s*(?:<|≠|!=|(?:out )?of|von)\s*(\d{1,3})(?:\s*=\s*n)?\s*$", re.IGNORECASE
 )
@@ -31,6 +32,7 @@ _TURNS = re.compile(
     re.IGNORECASE,
 )
 """Turns, which count clockwise."""
+_REPEATED = re.compile(r"\s*(\w+)\s*\(\s*(\w+)\s+([^()]+)\)\s*\.?")
 _PLACES = {
     "right_half_plane_roots": re.compile(
         r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts"
@@ -58,6 +60,8 @@ def counted(text: str, name: str, most: int | None) -> str | None:
     if name == "encirclements" and (found := _TURNS.fullmatch(text)):
         number = _number(_TIMES.get(found[1].lower(), found[1].lower()))
         return None if number is None else str(-number if found[2] else number)
+    if (found := _REPEATED.fullmatch(text)) and _number(found[1].lower()) == _number(found[2].lower()) is not None:
+        text = f"{found[2]} {found[3]}"  # 2 (two sign changes)
     if (found := _OUT_OF.match(text)) and most is not None and int(found[1]) < int(found[2]) == most:
         return found[1]
     if (found := _HENCE.match(text)) and count(found[1].split(maxsplit=1)[0]) == count(found[2]):

@@ -78,7 +78,13 @@ def special_matrix(name: str, arguments: SequenceNode) -> Node | None:
     place, items = inner.place, inner.items
     if name == "diag":
         zero = ScalarNode(place, "0")
-        lines = [[item if i == j else zero for j in range(len(items))] for i, item in enumerate(items)]
+        blocks = [_rows(item) or [(item,)] for item in items]
+        width, before = sum(len(block[0]) for block in blocks), 0
+        lines = []
+        for block in blocks:
+            after = width - before - len(block[0])
+            lines += [[*[zero] * before, *line, *[zero] * after] for line in block]
+            before += len(block[0])
     else:
         sizes = [int(item.text) for item in items if isinstance(item, ScalarNode) and item.text in SIZES]
         if len(sizes) != len(items) or len(sizes) not in (1, 2):

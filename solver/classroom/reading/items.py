@@ -33,6 +33,14 @@ def items_of(node: Node, texts: TextReader) -> Sequence[Node]:
     return texts.choices.choose("diagonal", (diagonal, node.items)) if diagonal else node.items
 
 
+def words_of(node: ScalarNode) -> Node:
+    """Return the words of a list, positive definite, indefinite, one by one; one word as it is."""
+    pieces = [each.strip() for each in split(node.text.strip().strip("[]{}"), _BETWEEN) if each.strip()]
+    if len(pieces) < 2:
+        return node
+    return SequenceNode(node.place, tuple(ScalarNode(node.place, each, "quoted") for each in pieces))
+
+
 def without_dots(node: Node) -> Node:
     """Return the first terms of a sequence, 0, 1, 3, …, without what says that it goes on."""
     if isinstance(node, ScalarNode) and (bare := _DOTS.sub(r"\1", node.text)) != node.text:
@@ -99,7 +107,7 @@ def _by_places(items: Sequence[str]) -> list[list[str]] | None:
         while match := _PLACE.match(value):
             places.append((int(match[1]), int(match[2])))
             value = value[match.end() :]
-        if not places:
+        if not places or any(0 in place for place in places):  # x_10 is x_1(0)
             return None
         found |= dict.fromkeys(places, value.strip())
     height, width = (range(1, 1 + max((place[of] for place in found), default=0)) for of in (0, 1))

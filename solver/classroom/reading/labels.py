@@ -17,7 +17,7 @@ from solver.symbols import NOTATIONS
 
 _LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[[kn]\]){1,80}?)\s*(?::=|==|=(?!>)|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
 _NAME = re.compile(
-    r"\\?[^\W\d](?:[\w\s\\{},*'′](?<![²³⁴⁵⁶⁷⁸⁹]))*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[[kn]\]|[A-Z]\w*(?:\(\w\))?\s*/\s*[A-Z]\w*(?:\(\w\))?",
+    r"\\?[^\W\d](?:[\w\s\\{},%*'′](?<![²³⁴⁵⁶⁷⁸⁹]))*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[[kn]\]|[A-Z]\w*(?:\(\w\))?\s*/\s*[A-Z]\w*(?:\(\w\))?",
     re.DOTALL,
 )
 _RANGE = re.compile(
@@ -28,7 +28,8 @@ _MULTIPLE = re.compile(
     r"^(.*?[^\s(,])\s*(?:\(?\s*(?:(?:is|ist)\s+(?:an?|eine?)\s+)?(?:double(?: root| pole| zero| eigenvalue)?|twice"
     r"|doppelt(?:er? (?:pol|eigenwert|nullstelle))?|zweifach|triple|dreifach|repeated twice"
     r"|once|simple|einfach"
-    r"|(?:with )?(?:(?:algebraic|alg\.?|algebraische?) )?(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?)\s*(\d{1,2}))"
+    r"|(?:with |mit |of )?(?:(?:algebraic|alg\.?|algebraische?) )?"
+    r"(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?)\s*(?:=|of)?\s*(\d{1,2}))"
     r"|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
     re.IGNORECASE,
 )
@@ -57,6 +58,7 @@ _CHANGES = re.compile(r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp)
 _DEFINED = re.compile(
     r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
     r"|\(\s*[sz]\s*I\s*-\s*A\s*\)\s*\^[({]?-1[)}]?|(?:∂|d\s?)\w+\s*/\s*(?:∂|d\s?)\w+|lim[\W_].*\)|[A-Za-z]_?∞"
+    r"|e\^[({]?\s*A\s*[)}]?|A\^[({]?\w+[)}]?|[ΣP∑(\\].*(?:Δ|\\Delta).*/\s*(?:Δ|\\Delta)"
 )
 _NAMES = re.compile(r"[\[({]\s*[^\W\d]\w*(?:\s*[,;\s]\s*[^\W\d]\w*)+\s*[\])}]")
 _LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞")
@@ -278,7 +280,7 @@ def _normal(label: str) -> str:
     bare = _DECORATION.sub("", label.replace("−", "-"))
     bare = "".join(_GREEK.get(sign, sign) for sign in bare).replace("lambda", "lamda")
     bare = re.sub(r"\([a-zA-Z]\)$|(?<=[A-Za-z])\([a-z]{4,5}\)$", "", bare)
-    return re.sub(r"(?<=\D)[\d,]+$|(?<=.)i$", "", bare)
+    return re.sub(r"(?<=\D)[\d,%]+$|(?<=.)i$", "", bare)
 
 
 def _letter(label: str) -> str:

@@ -158,8 +158,15 @@ class _Translator:
         if name == "sqrt":
             return self.root()
         if name in _DERIVATIVES:
-            return f"{self.argument().strip()}{_DERIVATIVES[name]} "
+            return f" {self.argument().strip()}{self.following_index()}{_DERIVATIVES[name]} "
         return self.argument() if name in _CONTENT else self.word(name)
+
+    def following_index(self) -> str:
+        """Read the index of x behind the one that has dots."""
+        if self.peek() != "_":
+            return ""
+        self.take()
+        return self.index().strip()
 
     def word(self, name: str) -> str:
         """Return what a command without arguments stands for, without the space after it where an index follows."""

@@ -68,6 +68,13 @@ def only(node: Node) -> Node:
     return node
 
 
+def are_single(node: Node) -> bool:
+    """Whether a list holds one value in each of its items, [3], [[3]], or is a text."""
+    return all(
+        isinstance(only(each), ScalarNode) for each in (node.items if isinstance(node, SequenceNode) else [node])
+    )
+
+
 def text_of(node: Node) -> str:
     """Return the text of a node; raises Fault where there is none."""
     if not isinstance(node, ScalarNode) or node.is_null:

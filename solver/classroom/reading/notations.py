@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable
+from math import factorial
 
 import sympy as sp
 
@@ -34,10 +35,11 @@ _BARE_CALL = re.compile(rf"(?<![A-Za-z_])(?:{_FUNCTION})(?![\w(])(?!\s*\()")
 _POLAR = re.compile(r"((?:(?<![A-Za-z_])e\s*\^|\bexp)\s*\()\s*±\s*([ij])(?![A-Za-z_])\s*\*?")
 _LIST = re.compile(r"(?<![A-Za-z])\[\s*[-+−]?[\d.]+\s+[-+−√\d.]*[\d.]+\s*\]")
 _QUOTIENT = re.compile(
-    r"(?<!\w)d\s*(?P<above>\^\(?2\)?|²)?\s*(?P<x>[^\W\d_]\w*)\s*/\s*d\s*t(?:\^\(?2\)?|²)?(?!\w)"
+    r"(?<!\w)d\s*(?P<above>\^\(?2\)?|²)?\s*(?P<x>[^\W\d_]\w*)\s*/\s*d\s*(?:t|τ|tau)(?:\^\(?2\)?|²)?(?!\w)"
     r"|(?<!\w)diff\(\s*(?P<y>[^\W\d_]\w*)(?:\(t\))?\s*,\s*t\s*(?:,\s*(?P<twice>2|t))?\s*\)"
 )
 """d²x/dt², and diff(x, t, 2) of programs."""
+_VARIATION = re.compile(r"(?:δ|(?<![A-Za-z_])delta[ _*])\s*([^\W\d_](?:\w*\d)?(?:_d?dot)?)(?![^\W_])")
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
 _RESERVED = re.compile(r"(?:(?<=[-+−*/(\d])|(?<=[-+−*/(\d]\s)|^)(as|is|in|if|or)(?=\s*(?:[-+−*/)^²³]|$))")
@@ -51,12 +53,15 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"^\s*[=≈]\s*", ""),
         (r"[^\W\d_]\u0308|[ẍẅẗÿ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}''"),
         (r"[^\W\d_]\u0307|[ẋẏżṗṙṡ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}'"),
+        (r"([^\W\d_])(['′]{1,3})_?(\{\d\}|\(\d\)|\d(?!\d)|[₀-₉])", r"\1\3\2"),  # ẍ_1 is x_1''
+        (r"([^\W\d_])[({](\d)[)}](['′]{1,3})", r"\1\2\3"),
         (r"[ℯℊⅆⅇⅈⅉ\U0001d400-\U0001d7ff\uff01-\uff5e]", lambda found: unicodedata.normalize("NFKC", found[0])),
         (
             rf"\^?(?=[{_RAISED}·]*[{_RAISED[14:]}])[{_RAISED}](?:[{_RAISED}]|[·⋅˙](?=[{_RAISED}]))*",
             lambda found: f"^({found[0].lstrip('^').translate(_LOWERED)})",
         ),  # e⁻²ᵗ
         (r"%(?=(?:e|pi|i|phi)(?![A-Za-z0-9_]))", ""),  # %e of Maxima
+        (r"(?<=[\d)π])\s*rad(?=\s*[)\]}])", ""),  # sin(2t - 2.03 rad)
         (r"\\?\[(?:ExponentialE|ImaginaryI|ImaginaryJ)\]", lambda found: "e" if "E" in found[0][4:] else "j"),
         (r"\+\s*/\s*[-−]|[-−]\s*/\s*\+|∓", "±"),  # +/- for ±
         (r"[—–‒]", "-"),
@@ -70,6 +75,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\b(?:S|Integer)\s*\(\s*([-+]?\d+)\s*\)", r"(\1)"),
         (r"(\d+(?:\.\d+)?)\s*°", r"(\1*pi/180)"),
         (r"(?<![\w.])(\d{1,9})\s?(?=[½¼¾⅓⅔⅕⅙⅛])([½¼¾⅓⅔⅕⅙⅛])", lambda found: f"({found[1]}+{_FRACTIONS[found[2]]})"),
+        (r"(?<![\w.)])(\d)!(?!=)", lambda found: str(factorial(int(found[1])))),
         (r"½", "(1/2)"),
         (r"¼", "(1/4)"),
         (r"¾", "(3/4)"),
@@ -113,7 +119,7 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     text = with_one_argument(text)
     text = _with_units(_with_steps(_with_polar(_with_signs(text, choices)), names), names)
     text = with_real_parts(text, names, lambda inside: _with_names(inside, names))
-    return _with_names(_with_derivatives(text, names), names)
+    return _with_names(_with_derivatives(_with_variations(text, names), names), names)
 
 
 def _as_letters(word: str, names: Names) -> str:
@@ -169,6 +175,15 @@ def _with_units(text: str, names: Names) -> str:
     return re.sub(rf"(?<![\w.])([ijI])(?=(?:{_FUNCTION})\b)", r"\1 ", text)
 
 
+def _with_variations(text: str, names: Names) -> str:
+    """δx as dx, where the problem has this variation of x."""
+
+    def variation(found: re.Match[str]) -> str:
+        return f" d{found[1]}" if f"d{found[1]}" in names.symbols else found[0]
+
+    return _VARIATION.sub(variation, text)
+
+
 def _with_derivatives(text: str, names: Names) -> str:
     """x' and x'' as x_dot and x_ddot, where the problem has these; m x'' of mx''; d²x/dt² as x_ddot; x1(t) as x1."""
 
@@ -178,13 +193,20 @@ def _with_derivatives(text: str, names: Names) -> str:
         written = "".join(GREEK.get(sign, sign) for sign in found[1])
         for at in range(len(found[1])):
             name = ("".join(GREEK.get(sign, sign) for sign in found[1][at:]) if at else written) + ending
+            if name not in names.symbols and (squeezed := name.replace("_", "", 1)) in names.symbols:
+                name = squeezed
+            if not at and (alone := f"{written}11{ending}") in names.symbols and f"{written}12" not in names.symbols:
+                return f" {alone} "
             if name in names.symbols:
                 return f" {found[1][:at]} {name}" if at or name != found[1] + ending else name
         return found[0]
 
     def quotient(found: re.Match[str]) -> str:
         name = "".join(GREEK.get(sign, sign) for sign in found["x"] or found["y"])
-        name += "_ddot" if found["above"] or found["twice"] else "_dot"
+        ending = "_ddot" if found["above"] or found["twice"] else "_dot"
+        if f"{name}11{ending}" in names.symbols and f"{name}12" not in names.symbols:
+            return f"({name}11{ending})"
+        name += ending
         return f"({name})" if name in names.symbols else found[0]
 
     def signal(found: re.Match[str]) -> str:
@@ -228,6 +250,13 @@ def _meant(name: str, names: Names) -> str:
         diagonal = f"{found[1]}11" in bare
         if mirrored and diagonal:
             return mirrored
+    if (found := re.fullmatch(r"([a-z])([1-9])", squeezed)) and f"{found[1]}11" in bare:
+        upper = sorted(each for each in bare if re.fullmatch(rf"{found[1]}\d\d", each) and each[-2] <= each[-1])
+        if int(found[2]) <= len(upper):  # p1, p2, p3 of a symmetric matrix
+            return bare[upper[int(found[2]) - 1]]
+    if f"{squeezed}11" in bare and f"{squeezed}12" not in bare:  # p, the only entry of a 1×1 matrix
+        return bare[f"{squeezed}11"]
     if (found := re.fullmatch(rf"({_FUNCTION})([a-zA-Z])", name)) and names.declares(found[2]):
         return f"{found[1]} {found[2]}"
-    return as_product(name, names).replace("*", " ") or name
+    indexed = re.fullmatch(r"[^\W\d_]{2,}_\d+", name)  # kx_1
+    return as_product(squeezed if indexed else name, names).replace("*", " ") or name

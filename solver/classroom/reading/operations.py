@@ -63,6 +63,8 @@ def combined(node: Node, text: str, read: Read) -> Node | None:
 
 def _product(text: str, read: Read) -> Node | None:
     """A product of two matrices, or of a matrix and numbers."""
+    if (bracketed := _factor_of_sum(text)) is not None:
+        return times(read(bracketed[1]), bracketed[0], "")
     if pair := factors_of(text):
         product = multiplied(read(pair[1]), read(pair[2]))
         return times(product, pair[0], "") if product else None
@@ -70,6 +72,17 @@ def _product(text: str, read: Read) -> Node | None:
         return times(read(ending[2]), ending[1], "")
     factors = scaled(text) or scaled(with_square_brackets(text))
     return times(read(factors[1]), factors[0], factors[2]) if factors else None
+
+
+def _factor_of_sum(text: str) -> tuple[str, str] | None:
+    """The factor and the sum of e^(-t) (cos(2t) eye(2) + sin(2t) [1 2; 3 4]); None of any other text."""
+    starts = [at for at, sign in enumerate(text) if sign == "(" and matching(text, at) == len(text) - 1]
+    if not starts or not text.endswith(")") or not text[: starts[0]].strip():
+        return None
+    factor, inside = text[: starts[0]].strip().rstrip("*·×").strip(), text[starts[0] + 1 : -1]
+    matrices = any(_LISTED.search(term) or _NAMED.search(term) for term in terms_of(inside)[0])
+    bare = not any(sign in factor for sign in "[]{},;=") and factor[-1:] not in ("/", "^") and not _is_sum(factor)
+    return (factor, inside) if matrices and bare and not factor[-1:].isalpha() else None
 
 
 def scaled(text: str) -> tuple[str, str, str] | None:
@@ -152,7 +165,7 @@ def terms_of(text: str) -> tuple[list[str], list[str]]:
     terms = [term.strip() for term in [*terms, text[start:]]]
     signs = ["-" if term[:1] in "-−" else "" for term in terms]
     bare = [term.lstrip("+-−").strip() for term in terms]
-    matrices = all(term.endswith("]") or "[" in term or _NAMED.match(term) for term in bare)
+    matrices = all(term.endswith("]") or "[" in term or _NAMED.search(term) for term in bare)
     return (bare, signs) if len(bare) > 1 and matrices else ([], [])
 
 

@@ -25,6 +25,10 @@ _RANGE = re.compile(r"^(?:([^<>≤≥t]+?)\s*(?:<=?|≤)\s*)?t\s*(?:(?:<=?|≤)\
 _FROM = re.compile(r"^t\s*(?:>=?|≥)\s*([^<>≤≥t]+)$|^([^<>≤≥t]+)\s*(?:>=?|≥)\s*t$")
 _LATEX = (("\\leq", "<="), ("\\le", "<="), ("\\geq", ">="), ("\\ge", ">="), ("\\lt", "<"), ("\\gt", ">"), ("\\,", " "),
           ("\\quad", " "), ("\\text{for }", ""), ("\\text{if }", ""), ("\\text{für }", ""))  # fmt: skip
+_FIRST = re.compile(r"[A-Za-z]\s*[(\[]\s*0\s*[)\]]\s*=\s*([^=<>]+)")
+_LATER = re.compile(
+    r"(?:[A-Za-z]\s*[(\[]\s*k\s*[)\]]\s*=\s*)?([^=<>≥]+?)\s*,?\s*(?:for|für|,)\s*k\s*(?:>=|≥|\\geq?)\s*1\s*\.?"
+)
 MOST_PIECES = 8
 MAX_CHARACTERS = 1000
 Piece = tuple[str, str, str]
@@ -41,6 +45,17 @@ def as_steps(text: str) -> str:
     pieces = [_bounded(formula, condition) for formula, condition in pairs]
     known = [piece for piece in pieces if piece is not None]
     return _sum(known) if len(known) == len(pieces) else ""
+
+
+def with_first_value(text: str) -> str:
+    """Return f(k) = g for k >= 1, f(0) = a as a sum with a unit pulse; "" of any other text."""
+    pieces = [
+        each.strip() for each in split(text, re.compile(r"\s*[;\n]\s*|\s*,\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+"))
+    ]
+    first = [found for found in map(_FIRST.fullmatch, pieces) if found]
+    rest = [each for each in pieces if not _FIRST.fullmatch(each)]
+    later = _LATER.fullmatch(", ".join(rest)) if len(first) == 1 else None
+    return f"({first[0][1]})*delta(k) + ({later[1].strip()})*step(k - 1)" if later else ""
 
 
 def _pairs(text: str) -> list[tuple[str, str]]:
@@ -115,6 +130,8 @@ def _sum(pieces: Sequence[Piece]) -> str:
         return _sum([(pieces[1][0], "0", pieces[1][2]), *pieces[2:]]) if len(pieces) > 1 else ""
     if len(pieces) == 2 and pieces[0][1:] == ("0", "") and pieces[1][:2] == ("0", "?"):
         return f"({pieces[0][0]})"  # 0 otherwise
+    if len(pieces) == 2 and pieces[1][0].strip() in ("0", "0.0") and pieces[1][1] == "?" and not pieces[0][2]:
+        return f"({pieces[0][0]})*step(t - ({pieces[0][1]}))"  # for t >= 2, 0 otherwise
     whole, at = "", ""
     for i, (formula, begin, end) in enumerate(pieces):
         begins = begin in (("", "0", "-∞", "-oo", "-inf", "0.0") if i == 0 else (at, "?", ""))

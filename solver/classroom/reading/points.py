@@ -39,7 +39,10 @@ _INTEGERS = re.compile(
 _COMMA = re.compile(r",")
 _EQUALS = re.compile(r"=(?!=)")
 _REMARK = re.compile(r"\(\s*\w+\s+(?:∈|in|any|is)\s[^()]*\)|\(\s*\w+\s+integer\s*\)", re.IGNORECASE)
-_WITH = re.compile(r"\s*,?\s+(?:(?:each|all|both|jeweils|beide|alle)\s+)?(?:with|mit|where|wobei)\s+(?=[^\W\d][\w'’′]*\s*=)")
+_NUMBER_BEHIND = re.compile(r"(?<=[^\W\d])_?\d$")
+_WITH = re.compile(
+    r"\s*,?\s+(?:(?:each|all|both|jeweils|beide|alle)\s+)?(?:with|mit|where|wobei)\s+(?=[^\W\d][\w'’′]*\s*=)"
+)
 """x1 = 0, ±1 with x2 = 0: what is behind is said of all."""
 _PRIMES = {"'''": "_dddot", "''": "_ddot", "'": "_dot"}
 
@@ -156,6 +159,8 @@ class PointReader:
             name = str(value)
         except (TypeError, ValueError, ArithmeticError):
             name = name.strip()
+        if name not in own and (bare := _NUMBER_BEHIND.sub("", name)) in own:  # x1, y1 of the first point
+            return own[bare]
         plain = {str(x).replace("_", "").replace("{", "").lower(): x for x in self.unknowns}
         return own.get(name) if name in own else plain.get(name.replace("_", "").lower())
 

@@ -121,6 +121,8 @@ def with_quotients(text: str, variable: str) -> str:
     """Return a text with tf([1], [1 3 2]), zpk([], [-1 -2], 1) as quotients, Poly(p, s) as p; other calls stay."""
     if found := _POLYNOMIAL.match(text):
         return found[1]
+    if _CONVOLVED.fullmatch(text):
+        return _polynomial(text, variable) or text
     text = _BAR.sub(r"(\1)/(\2)", text)
     if found := _NUM_AND_DEN.match(text):
         text = f"tf({found[1]}, {found[2]})"

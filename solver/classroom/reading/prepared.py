@@ -12,6 +12,7 @@ import sympy as sp
 from solver.classroom.reading.brackets import rows, split
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import labelled
+from solver.classroom.reading.quantities import told_otherwise, without_limit
 from solver.classroom.reading.remarks import without_remarks
 from solver.classroom.reading.spelling import typed
 from solver.problem.expressions.notation import GREEK_NAMES
@@ -41,6 +42,8 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
         node = _quotient(node) or node
     text = typed(node)
+    if isinstance(node, ScalarNode) and (bare := without_limit(text, name)) != text:
+        node, text = ScalarNode(node.place, bare, "quoted"), bare
     if _RULE.search(text) and isinstance(ours, list) and ours and isinstance(ours[0], Mapping):
         return ScalarNode(node.place, _RULE.sub(" = ", text), "quoted")
     if _RULE.search(text) and not isinstance(ours, str | bool):  # {{k1 -> 22, k2 -> 7}}
@@ -52,6 +55,7 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if name == "G" and (law := _OUTPUT.match(text)) and law[1]:  # Y(s) = G(s) U(s)
         return ScalarNode(node.place, law[1], "quoted")
     bare = _own_statement(_NOT_ZERO.sub("", text), name)
+    bare = told_otherwise(bare, name, ours)
     if not symbols_of(ours) and not isinstance(ours, Mapping | sp.MatrixBase) and not _is_listed(ours):
         bare = without_remarks(bare, name)
     if name == "array":

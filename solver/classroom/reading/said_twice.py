@@ -12,7 +12,7 @@ from solver.classroom.reading.brackets import split
 from solver.classroom.submitted import Decimal, Submitted
 
 MOST_SIDES = 4
-_EQUAL = re.compile(r"\s*(?:[≈≅]|(?<![<>=!:])=(?![=>]))\s*")
+_EQUAL = re.compile(r"\s*(?:[≈≅≙≃≐]|(?<![<>=!:])=(?![=>]))\s*")
 _AGAIN = re.compile(
     r"^(.*[\w)°%])\s*\(\s*(?:(?:[≈≅~=]|approx\.?|ca\.?|about|i\.e\.|d\.h\.)\s*([-+−\d.][^()=]*)|"
     r"([-+−]?[\d.]+\s*(?:dB|°|%|rad/s|rad|deg|Hz|ms|s)))\s*\)\s*\.?$"

@@ -25,11 +25,25 @@ _ABOUT = re.compile(
 )
 _UNIT = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s)\s*\]\s*$")
 _POSITIVE = re.compile(r"\s*(?:\(\s*)?(?:>|≻|\\succ)\s*0\s*\)?\s*$")
+_REMARKS = (
+    "breakaway break-away break-in entry exit point points different verschieden asymptotically asymptotisch"
+    " stable unstable stabil instabil controller observer regler beobachter plant strecke repeated real reell row"
+    " zeile column spalte nonzero non-zero complex conjugate conjugates conjugated pair konjugiert komplex"
+    " konjugierte komplexe positive positives root solution lösung wurzel pole poles pol mode eigenvalue eigenwert"
+    " constant konstant konstante underdamped overdamped undamped critically damped damping nonminimum non-minimum"
+    " minimum phase first second third fourth state slow fast dominant oscillating oscillation oscillatory"
+    " decaying distinct simple stabilizing stabilising stabilisierend stabilisierende integrator marginal exact"
+    " golden ratio vector left right half plane halfplane half-plane lhp rhp open linke rechte halbebene"
+)
+"""Words of which remarks in brackets are made that deny nothing."""
+_WORDS = "|".join(sorted(_REMARKS.split(), key=len, reverse=True))
 _REMARK = re.compile(
-    r"\s*\(\s*(?:(?:asymptotically|asymptotisch) )?(?:stable|unstable|stabil|instabil"
-    r"|controller|observer|regler|beobachter|plant|strecke|repeated|real|reell|row|zeile"
-    r"|column|spalte|nonzero|non-zero|not zero|only at infinity)\s*\)",
+    rf"\s*\(\s*(?:(?:(?:(?:{_WORDS}|all|and|the|of|in)[\s,]+){{0,6}}(?:{_WORDS}))|not zero|only at infinity)\s*\)",
     re.IGNORECASE,
+)
+_LOST = re.compile(
+    r"\s*\(\s*(?:uncontrollable|unobservable|hidden|not (?:controllable|observable)"
+    r"|nicht (?:steuerbar|beobachtbar))\s*\)"
 )
 _MANY = re.compile(
     r"^(.*?)\b(?:double|doppelter|doppelte|zweifacher)\s+(?:eigenvalue|pole|root|eigenwert|pol)\s+(?:at |bei )?(.*)$",
@@ -42,7 +56,9 @@ _PAIR = re.compile(
 _OF = re.compile(r"\s*(?:of|von)\s+(?:the\s+)?(?:[A-Z]|\([A-Z],\s*[A-Z]\))\s+(?=\S)")
 _IS = re.compile(r"(?<=[\w})])\s+(?:is|ist|equals)\s+(?=[-+−\d.√(])")
 
-_COMPARED = re.compile(r"(?<![\w.)])([-+−]?\s*\d{1,9}(?:\.\d{1,9})?)\s*\(?\s*([<>])\s*0(?![.\d])\s*\)?")
+_COMPARED = re.compile(
+    r"(?<![\w.)])([-+−]?\s*\d{1,9}(?:\.\d{1,9})?)\s*\(?\s*([<>])\s*(\d{1,3}(?:\.\d{1,3})?)(?![.\d])\s*\)?"
+)
 _BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]|\{[^{}]*\}")
 _DENIED = re.compile(
     r"\b(?:not|no|nicht|kein\w*|never|neither|nor|and|or|und|oder|but|aber|if|unless|without|wrong|false)\b|[≠;,\n]",
@@ -68,6 +84,7 @@ NOUNS = {
     "points": "two three four five equilibria equilibrium point points ruhelagen ruhelage gleichgewichte",
     "solutions": "solution solutions lösung lösungen",
     "closed_loop_A": "companion closed-loop",
+    "cancelled": "pole poles zero zeros factor mode modes hidden cancelled pol nullstelle",
     "null_space": "all multiples vielfache von spanned by span",
 }
 """What an answer is called in a sentence, by its name, or the last word of its name."""
@@ -77,7 +94,8 @@ def without_words(text: str, name: str, *, count: bool = False) -> str:
     """Return a value without the words that introduce it and the remarks behind its items; "" where there are none."""
     nouns = frozenset(NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], "")).split()) | {name.lower()}
     text = _SPACES.sub(" ", text).strip()
-    bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", text)), nouns)
+    remarked = text if name.endswith("_modes") else _LOST.sub("", text)
+    bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", remarked)), nouns)
     bare = _PAIR.sub("", bare)
     if found := _MANY.match(bare):
         bare = _introduced(f"{found[1]}{found[2]} (double)", nouns)
@@ -100,9 +118,10 @@ def _introduced(text: str, nouns: frozenset[str]) -> str:
 
 
 def with_true_signs(text: str) -> str:
-    """Return λ₁ = 1 > 0 without what it is compared with, where a plain number has that sign; "" of any other text."""
+    """Return λ₁ = 1 > 0, ζ = 0.6 < 1 without what a plain number is compared with, if that is true; else ""."""
     found = list(_COMPARED.finditer(text))
-    true = all((float(match[1].replace("−", "-").replace(" ", "")) > 0) == (match[2] == ">") for match in found)
+    pairs = [(float(match[1].replace("−", "-").replace(" ", "")), match[2], float(match[3])) for match in found]
+    true = all(one > other if sign == ">" else one < other for one, sign, other in pairs)
     return _COMPARED.sub(r"\1", text) if found and true else ""
 
 

@@ -28,6 +28,8 @@ LIMITS = re.compile(
 VARIABLE = re.compile(r"(?<![A-Za-z0-9_])d\s?(tau|sigma|lambda|lamda|xi|eta|t|x|s|u|r|q|T)(?:_?\d)?(?![A-Za-z0-9_])")
 TIME = sp.Symbol("t")
 TAU = sp.Symbol("tau")
+_DOT = re.compile(r"([^\W\d_])\u0307(_?[\d₀-₉]?)")
+"""v̇1 with a dot of its own above the letter."""
 _GREEK = {"τ": "tau", "σ": "sigma", "λ": "lamda", "ξ": "xi", "η": "eta", "′": "'", "’": "'", "″": "''"}
 _SMALL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 
@@ -81,6 +83,7 @@ class Operators:
         text = re.sub(r"\\(?:[,;:! ]|quad|limits|displaystyle|left|right)", " ", text)
         text = re.sub(r"\\mathrm\s*\{\s*d\s*\}", "d", text)
         text = re.sub(r"\\(tau|sigma|xi|eta)(?![a-z])", r"\1", text).replace(r"\int", " ∫ ")
+        text = _DOT.sub(r"\1\2'", text)
         for mark, primes in ((r"\\dot", "'"), (r"\\ddot", "''")):
             dotted = rf"{mark}\s*(?:\{{\s*)?([A-Za-z]\w*?)\s*(?:\}}\s*)?(_\w+|_\{{\w+\}}|)(?![\w{{])\s*\}}?"
             text = re.sub(dotted, rf"\1\2{primes}", text)

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
-ABBREVIATIONS = tuple(
+ABBREVIATIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = tuple(
     (re.compile(pattern), words)
     for pattern, words in (
         (r"(?<![\w.])(?:[gG]\.? ?)?a\. ?s\.(?!\w)", "asymptotically stable"),
         (r"^\s*G?AS\s*$", "asymptotically stable"),
         (r"(?<![\w.])m\. ?s\.(?!\w)", "marginally stable"),
         (r"(?i)(?<![\w.])(?:as|asymp|asympt|exp)\.(?= ?sta)", "asymptotically"),
+        (r"(?i)\bpos(?:itiv)?\.\s*", "positive "),
+        (r"(?i)\bneg(?:ativ)?\.\s*", "negative "),
+        (r"(?i)\b(semi)?-?def\.(?=\s|$)", lambda found: f"{(found[1] or '').lower()}definite"),
+        (r"(?i)\b(semi)-(?=definit)", r"\1"),
+        (r"(?i)\b(un|over|under)-(?=\w)", r"\1"),
+        (r"(?i)\s*\(?\b(?:spiral(?:l)?ing )?(?:inwards?|einwärts)\b\)?", " stable"),
+        (r"(?i)\s*\(?\b(?:spiral(?:l)?ing )?(?:outwards?|auswärts)\b\)?", " unstable"),
         (r"(?i)[,(]?\s*\b(?:i\.? ?s\.? ?l\b\.?|in the sense of (?:lyapunov|ljapunov|liapunov))\)?", ""),
     )
 )
@@ -54,10 +62,10 @@ PHRASES = {
     **dict.fromkeys(("line of fixed points", "line of equilibrium points"), "line of equilibria"),
     **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
     "unstable saddle": "saddle",
-    **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall", "unterkritisch damped",
-                     "unterkritisch", "subcritically damped", "periodisch damped", "oszillierend"), "underdamped"),
-    **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall", "überkritisch damped", "überkritisch",
-                     "supercritically damped", "aperiodisch damped"), "overdamped"),
+    **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
+    **dict.fromkeys(("unterkritisch damped", "unterkritisch", "periodisch damped"), "underdamped"),
+    **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall"), "overdamped"),
+    **dict.fromkeys(("überkritisch damped", "überkritisch", "aperiodisch damped"), "overdamped"),
     **dict.fromkeys(("aperiodischer grenzfall", "aperiodic limit", "limit of aperiodicity"), "critically damped"),
 }
 """What is said in several words, where it is all that is said."""
@@ -77,6 +85,8 @@ ADJECTIVES = {
 NEGATIONS = ("not ", "nicht ", "non ", "un", "in", "im", "non", "nicht")
 LABELS = {
     "A_{d}": ("Phi", "Φ"), "B_{d}": ("Gamma", "Γ", "H"), "damping_ratio": ("D", "d", "xi", "ξ"),
+    "controllability_matrix": ("P", "Q", "M", "U", "S"), "observability_matrix": ("Q", "M", "N", "O"),
+    "k_I": ("K_i", "K_I", "k_i"), "critical_value": ("K", "k"), "S": ("S_K^T", "S^T"),
     "natural_frequency": ("omega", "ω", "w"), "gain_margin": ("GM", "A_R", "k_R"), "phase_margin": ("PM", "Phi", "Φ"),
 }  # fmt: skip
 """What an answer is called too, by its name or its symbol, where this is what another one is called elsewhere."""

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading import polynomials
-from solver.classroom.reading.angles import readings_in_degrees
+from solver.classroom.reading.angles import readings_in_degrees, with_arcs
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.condition_words import in_relations, is_unclear, with_ends
 from solver.classroom.reading.conditions import ConditionReader
@@ -149,6 +149,8 @@ class TextReader:
         ):
             text = kept
         bare = without_unit(_DECIBELS.sub(r"\1log10", text) if self.unit == "dB" else text, self.unit)
+        if self.unit == "°":
+            bare = with_arcs(bare)
         found = polynomials.with_quotients(bare, self.variable)
         found = plain(found, self.names, self.choices)
         said = _squeezed(found) == _squeezed(respelled(bare))

@@ -37,6 +37,8 @@ _WHOLE = re.compile(r"[-+]?\d{1,3}")
 _UNIT = re.compile(r"^(.*(?:[\d)\].π]|\bpi))\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹\s-]*|1/s)\s*\.?$", re.DOTALL)
 _LIST = re.compile(r"^\s*[\[({]([^\[\](){}]*,[^\[\](){}]*)[\])}]\s*([A-Za-zµ°1][A-Za-z0-9/*^⁻¹\s-]*|°)\s*$")
 _BRACKETS = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s|Hz|dB|V|ms|min)\s*\]\s*$")
+_BRACED = re.compile(r"(?<=[\d\s/])(s|sec|rad[ */]?s)\s*\^\s*[{(]\s*([-−]1)\s*[)}](?=\s*$)")
+_ARGUMENT = re.compile(r"(?:sin|cos|tan)\s*\(?\s*[\d.]+\s*°$")
 _DEGREES, _LETTERS = re.compile(r"(?<=[\d)])\s*°"), re.compile(r"[^\W\d_]")
 _ALWAYS_UNITS = {
     each for own, spellings in SPELLINGS.items() for each in spellings if own in ("", "°", "dB") or "rad" in each
@@ -49,8 +51,8 @@ class ForeignUnitError(Exception):
 
 def without_unit(text: str, unit: str) -> str:
     """Return a number without the unit of its answer ("": it has none). Raises ForeignUnitError."""
-    text = _BRACKETS.sub(r" \1", text)
-    found = _UNIT.match(text) if "∠" not in text else None  # the angle of 2∠30°
+    text = _BRACED.sub(r"\1^\2", _BRACKETS.sub(r" \1", text))
+    found = None if "∠" in text or _ARGUMENT.search(text) else _UNIT.match(text)  # the angle of 2∠30°, cos 30°
     if found is None:
         return text
     number, written = found[1].strip(), " ".join(found[2].split())

@@ -56,6 +56,7 @@ _WHOLLY = {
     "regelkreis",
 }
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
+_YES = re.compile(r"^\s*(?:yes|ja)\s*[,:;–—-]\s*(?:it is |the system is |es ist )?(?=\w)", re.IGNORECASE)
 _CRITERION = re.compile(r"\s*(?:det|rank|rang)\b[^,;]*[=<≠][^,;]*[,;]\s*(\S.*)$", re.IGNORECASE | re.DOTALL)
 """det = 0, not controllable: what is concluded stands behind."""
 _ANSWERS = {"yes", "no", "ja", "nein", "true", "false", "wahr", "falsch", "oui", "non"}
@@ -111,6 +112,7 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
     """Return the words of a list that a text may mean: the one that it is, else those that say all that it says."""
     for pattern, words in ABBREVIATIONS:
         text = pattern.sub(words, text)
+    text = _YES.sub("", text)
     own = {word for each in known for word in each.split()}
     spoken = " ".join(word if word in own else SYNONYMS.get(word, word) for word in _words(text) if word not in IGNORED)
     spoken = PHRASES.get(spoken, spoken)

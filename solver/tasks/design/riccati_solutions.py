@@ -34,6 +34,7 @@ LISTED = (
         r"\text{equations}",
         "the entries of the Riccati equation, each of which is zero",
         ("riccati",),
+        zero=True,
         told=("equations",),
     ),
     AnswerName(

@@ -108,8 +108,8 @@ class Optimum(NamedTuple):
         return np.asarray(self.A - self.B @ self.K)
 
 
-def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
-    """Return the optimum at two admissible points (at the only one if there are no symbols).
+def optima(weights: Weights, others: Iterable[Any] = (), count: int = 2) -> list[Optimum]:
+    """Return the optimum at so many admissible points (at the only one if there are no symbols).
 
     `others` are formulas whose symbols take values too. Raises NotEvaluable if no admissible point is found.
     """
@@ -124,7 +124,7 @@ def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
             if optimum is not None:
                 found.append(optimum)
                 break
-        if len(found) == (2 if symbols else 1):
+        if len(found) == (count if symbols else 1):
             break
     if not found:
         raise NotEvaluable("no values of the parameters were found for which the problem has a solution")

@@ -19,6 +19,8 @@ from solver.numeric.judges.optimal.riccati import hamiltonian
 
 ON_THE_AXIS = 1e-7
 MANY = multiple(50)
+POINTS = 8
+"""Points at which solutions are counted where there are parameters."""
 WELL_KNOWN = 80
 """Bits from which on an entry is known to more than rounding in doubles."""
 
@@ -37,10 +39,11 @@ def all_distinct(weights: Weights, matrices: Sequence[Any]) -> bool:
 def none_missing(weights: Weights, matrices: Sequence[Any]) -> bool:
     """Whether at admissible values of the parameters as many matrices are real as there are solutions.
 
-    Raises NotEvaluable as `number_of_solutions`.
+    With parameters further solutions may be real for some values only: that none is left out at one of several points
+    is enough. Raises NotEvaluable as `number_of_solutions`.
     """
-    optimum = optima(weights, matrices)[0]
-    return _number_at(optimum) == sum(_is_real(P, optimum) for P in matrices)
+    found = optima(weights, matrices, POINTS)
+    return any(_number_at(each) == sum(_is_real(P, each) for P in matrices) for each in found)
 
 
 def _is_real(P: Any, optimum: Optimum) -> bool:

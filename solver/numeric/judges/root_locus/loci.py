@@ -89,9 +89,11 @@ def _roots(p: sp.Poly) -> tuple[Placed, ...]:
 
 def asymptote_angles_residual(locus: Locus, angles: Sequence[Any]) -> float:
     """Return how far the gain is from positive far away in these directions; they must be all that there are."""
-    if len(angles) != max(locus.excess, 0):
-        return float("inf")
     found = [number(each) for each in angles]
+    if any(each == 180 for each in found):  # ±180° is one direction
+        found = [each for each in found if each != -180]
+    if len(found) != max(locus.excess, 0):
+        return float("inf")
     if any(apart(a, b) < 1 for i, a in enumerate(found) for b in found[:i]):
         return float("inf")
     far = MP.mpf(10) ** FAR
