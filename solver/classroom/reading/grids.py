@@ -78,7 +78,7 @@ def special_matrix(name: str, arguments: SequenceNode) -> Node | None:
     place, items = inner.place, inner.items
     if name == "diag":
         zero = ScalarNode(place, "0")
-        blocks = [_rows(item) or [(item,)] for item in items]
+        blocks: list[list[tuple[Node, ...]]] = [[*_rows(item)] or [(item,)] for item in items]
         width, before = sum(len(block[0]) for block in blocks), 0
         lines = []
         for block in blocks:

@@ -37,9 +37,8 @@ find:
     ],
 )
 def test_what_has_pi_or_an_arctangent_is_in_radians(value, found):
-    assert [sp.expand(each - one) for each, one in zip(readings_in_degrees(value, {}), found, strict=True)] == [0] * len(
-        found
-    )
+    readings = readings_in_degrees(value, {})
+    assert all(sp.expand(each - one) == 0 for each, one in zip(readings, found, strict=True))
 
 
 @pytest.mark.parametrize(("y", "x"), [(-6, -9), (6, -9), (-6, 9), (6, 9), (3, 0)])
