@@ -24,8 +24,11 @@ from tests.helpers.shares import WHOLE, in_turn
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_problem, solution_of, told_of_problem
 from tools.corrupted_kernels.samples import covering
 
-CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d._])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
-"""What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
+CLUMSY = re.compile(
+    r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d._])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])"
+    r"|= (?P<twice>-?[\d.]+) \\approx (?P=twice)(?![\d.])"
+)
+"""What nobody would write: 1.0, - -2, + -, 1 · x, remains of Python, 0.5 ≈ 0.5."""
 
 FORMULA = re.compile(r"\$\$.*?\$\$|\$.*?\$", re.DOTALL)
 SLOVENLY = re.compile(

@@ -23,6 +23,9 @@ from solver.stated import Stated
 _STATES = re.compile(r"[=<>]|\\(le|ge|ne|approx)\b")
 """What a note must have in it to state something."""
 
+NEARLY = r"\approx"
+"""What a note begins with that tells a value in decimals."""
+
 GAP = row(r",\qquad")
 """Between two equations on one line."""
 
@@ -65,7 +68,15 @@ class Displaying:
         return read(text) if text.strip() else NOTHING
 
     def eq(self, *sides: Any, note: str = "", relation: str = "=", holds: bool = True) -> str:
-        """Display a = b = ...; `note` stands behind the last side. Unless it `holds`, nothing is claimed."""
+        """Display a = b = ...; `note` stands behind the last side. Unless it `holds`, nothing is claimed.
+
+        A value in decimals is not told again as what it is nearly.
+        """
+        if (
+            note.startswith(NEARLY)
+            and self.recorder.expanded(note) == f"{NEARLY} {latex(self._side(sides[-1], self.show))}"
+        ):
+            note = ""
         shown = [side for side in sides if holds and (not isinstance(side, str) or side)]
         if shown and _STATES.search(note):  # it goes on with the last side, or explains a name in it
             last = shown[-1] if isinstance(shown[-1], str) else self.recorder.value(shown[-1], "")
