@@ -178,7 +178,7 @@ class _Page:
         """Return a reference from a part to steps there; its own name is left out unless it is to be `named`."""
         places = [f"({plain(there.letter)})"] if named or there.id != part.id else []
         if there.case and there.anchor != part.anchor:
-            places.append(f"`{there.case}`")
+            places.append(Phrase("the case {case}", case=f"`{there.case}`"))
         if there.id in self.several and there.anchor != part.anchor:
             places.append(Phrase("“{method}”", method=plain(there.method_title)))
         if numbers:

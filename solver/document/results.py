@@ -16,6 +16,7 @@ MANY_SIDES = 3
 
 _DISPLAY = re.compile(r"\$\$.*?\$\$", re.DOTALL)
 RESULT = re.compile(r"^\$\$\n.*?\$\$", re.DOTALL | re.MULTILINE)
+_COMPARES = re.compile(r"[<>]|\\(?:le|ge|ne|approx|Rightarrow|to|q?quad)\b")
 _ALIGNED = r"\begin{aligned}", r"\end{aligned}"
 _LINES = re.compile(r"\\left\[\\begin\{array\}\{[c|]+\}(.*?)\\end\{array\}\\right\]", re.DOTALL)
 
@@ -43,9 +44,10 @@ def to_go_on_with(results: Sequence[str]) -> str:
 
 
 def _ends_of(display: str) -> str:
-    """Return the first and the last side of a chain on one line."""
+    """Return the first and the last side of a chain of equalities on one line; one that compares is told whole."""
     sides = display.strip("$").strip().split(" = ")
-    if len(sides) < MANY_SIDES or "aligned" in display or any(each.count("{") != each.count("}") for each in sides):
+    torn = any(each.count("{") != each.count("}") for each in sides)
+    if len(sides) < MANY_SIDES or torn or "aligned" in display or _COMPARES.search(display):
         return display
     return f"$$\n{sides[0]} = {sides[-1]}\n$$"
 

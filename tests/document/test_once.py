@@ -316,3 +316,18 @@ def test_two_places_are_joined_by_and():
     referred = WorkStep("x", "X", "", refers=refers)
     assert referring(referred, Messages().say) == "As in (a), step 1, and (b), step 2."
     assert referring(replace(referred, refers=refers[:1]), Messages().say) == "As in (a), step 1."
+
+
+@pytest.mark.parametrize("chain", [r"\operatorname{rank} C = 2 < 3 = n", r"x = 1 \ne 2 = y", r"a = b,\qquad c = d = e"])
+def test_what_compares_is_not_cut_to_its_ends(chain):
+    """From rank = 2 < 3 = n nobody may conclude that the rank is n."""
+    told = step("x", REASON, display(chain))
+    _, second = once(work("a", told, step("y")), work("b", told, step("z")))
+    assert second.steps[0].markdown == display(chain)
+
+
+def test_a_case_is_called_one():
+    part, other = work("a", step("x")), replace(work("a", step("x"), step("z")), case="c = 0")
+    third = replace(work("a", step("z")), case="c = 1")
+    *_, last = once(part, other, third)
+    assert [each.place for each in last.steps[0].refers] == ["the case `c = 0`, step 2"]
