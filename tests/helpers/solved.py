@@ -18,7 +18,7 @@ from tests.helpers.shares import turn
 PROBLEMS = sorted(
     path
     for path in root("problems").rglob("*.yaml")
-    if not path.name.endswith(".answers.yaml") and path.parent.name != "exams"
+    if not path.name.endswith(".answers.yaml") and path.parent != root("problems") / "exams"
 )
 EXAMPLES = [path for path in PROBLEMS if path.parent.name == "examples"]
 
