@@ -165,8 +165,8 @@ def motion_and_cost(transfer: Transfer, best: exact.MinimumEnergy, *, by_gap: bo
     claims = {"integral": Claim(integral_of_u, cost, "the cost")}
     if by_gap:
         claims["gap"] = Claim(product(transfer.factor, transpose(best.gap), best.eta), cost, r"$c\,d^{T}\eta$")
-    worked_out = () if by_gap else integrated(
-        integrand, t, sp.S.Zero, T, sp.ImmutableMatrix([cost]), transfer.integrand(best.u)
+    worked_out = (
+        () if by_gap else integrated(integrand, t, sp.S.Zero, T, sp.ImmutableMatrix([cost]), transfer.integrand(best.u))
     )
     yield Step("cost", claims=claims, steps=worked_out, cost=cost, factor=transfer.factor, T=T, by_gap=by_gap,
                single=best.u.rows == 1, unit=sp.eye(best.u.rows) == transfer.R)  # fmt: skip
