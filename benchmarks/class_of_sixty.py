@@ -134,7 +134,7 @@ class Play:
 
     def written(self) -> dict[str, int]:
         """When each sheet was written."""
-        return {path.name: path.stat().st_mtime_ns for path in (self.folder / "sheets").iterdir()}
+        return {path.name: path.stat().st_mtime_ns for path in (self.folder / "sheets").glob("*.html")}
 
     def compare(self) -> None:
         """Compare the grades with what was earned, part by part, and who must be looked at."""
