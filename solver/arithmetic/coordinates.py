@@ -48,6 +48,15 @@ def in_coordinates(
     return steps
 
 
+@where_exact
+def both_sides(A: ImmutableMatrix, V: ImmutableMatrix, J: ImmutableMatrix) -> tuple[Step, ...]:
+    """A V = V J, multiplied out on both sides; none in decimals, or of many states."""
+    if A.rows >= LARGEST or V.has(sp.Float) or J.has(sp.Float):
+        return ()
+    both = sp.ImmutableMatrix(exact.multiply(V, J))
+    return multiplied(A, V, both, "AV") + multiplied(V, J, both, "VJ")
+
+
 def _exchanges(T: ImmutableMatrix) -> bool:
     """Whether T only changes the order of the states."""
     return all(entry in (0, 1) for entry in T.flat()) and all(sum(T.row(i)) == 1 for i in range(T.rows))

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.determinants import worked_out
+from solver.arithmetic.roots import roots_found
 from solver.derivation import Answers, Claim, Derivation, Given, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -16,7 +19,7 @@ from solver.tasks.design.regulator_products import products_of_a_form, products_
 from solver.tasks.design.weights import cost_factor
 
 if TYPE_CHECKING:
-    from sympy import ImmutableMatrix
+    from sympy import Expr, ImmutableMatrix
 
     from solver.tasks.design.lqr import LqrOptions
     from solver.tasks.needed import WithInput
@@ -34,6 +37,15 @@ def gain_claims(problem: Regulator, P: ImmutableMatrix, K: ImmutableMatrix) -> d
         "seen": Claim(product(problem.Bt, P, problem.A), seen, "what the input acts on"),
         "K": Claim(product(inverse(weight), total(seen, *cross) if cross else seen), K, "the gain"),
     }
+
+
+def _eigenvalues(loop: ImmutableMatrix, eigenvalues: Sequence[Expr], *, discrete: bool) -> tuple[Step, ...]:
+    """The characteristic polynomial of a loop of order two in numbers and its roots, which were found another way."""
+    if loop.rows != 2 or loop.free_symbols:
+        return ()
+    x = sp.Symbol("z" if discrete else "s")
+    chi = exact.faddeev_leverrier(loop).characteristic_polynomial(x)
+    return worked_out("", exact.pencil(loop, x), chi, x) + roots_found(chi, list(eigenvalues), x)
 
 
 @lemma("regulator")
@@ -58,6 +70,7 @@ def control_of(given: Given[WithInput, LqrOptions], problem: Regulator, equation
     yield Step(
         "closed_loop",
         claims={"loop": Claim(difference(problem.A, product(problem.B, K)), loop, "closed loop $A - BK$")},
+        steps=_eigenvalues(loop, equation.eigenvalues, discrete=discrete),
         eigenvalues=equation.eigenvalues,
         n=n,
         discrete=discrete,

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.chains import chains_worked_out
-from solver.arithmetic.products import multiplied
+from solver.arithmetic.coordinates import both_sides
 from solver.arithmetic.quadratics import quadratic_formula, roots_of_squares
 from solver.arithmetic.row_operations import null_vectors, row_operations
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
@@ -105,9 +105,9 @@ def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
     }
     _, b, c = factor.coefficients
     kind = factor.roots[0].kind
-    upper_sign_first = roots if kind == "complex" else roots[::-1]
-    lines = quadratic_formula(x, b, c, upper_sign_first)
-    return Step("quadratic", claims=claims, steps=lines, p=p, roots=upper_sign_first, pure=b == 0, root_kind=kind)
+    upper = roots if kind == "complex" else roots[::-1]  # that of the upper sign first
+    lines = quadratic_formula(x, b, c, upper)
+    return Step("quadratic", claims=claims, steps=lines, p=p, roots=upper, pure=b == 0, root_kind=kind)
 
 
 @lemma("eigenvectors")
@@ -186,15 +186,9 @@ def by_null_spaces(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
     structure = yield from right_eigenvectors_of(A)
     M = yield from left_eigenvectors_of(A, structure)
     V, J = structure.right, structure.jordan_form
-    yield Step(
-        "jordan_form",
-        claims={"similar": Claim(product(A, V), product(V, J), "$A V = V J$")},
-        steps=_similar(A, V, J),
-        V=V,
-        J=J,
-        diagonalizable=structure.diagonalizable,
-        eigenspaces=structure.eigenspaces,
-    )
+    claims = {"similar": Claim(product(A, V), product(V, J), "$A V = V J$")}
+    yield Step("jordan_form", claims=claims, steps=both_sides(A, V, J), V=V, J=J,
+               diagonalizable=structure.diagonalizable, eigenspaces=structure.eigenspaces)  # fmt: skip
     return Answers(
         eigenvalues=[J[i, i] for i in range(A.rows)],
         right_eigenvectors=V,
@@ -202,18 +196,6 @@ def by_null_spaces(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
         jordan_form=J,
         diagonalizable=structure.diagonalizable,
     )
-
-
-LARGEST = 3
-"""The entries of larger products are not written out."""
-
-
-def _similar(A: ImmutableMatrix, V: ImmutableMatrix, J: ImmutableMatrix) -> tuple[Step, ...]:
-    """A V = V J, multiplied out on both sides."""
-    if A.rows > LARGEST or V.has(sp.Float) or J.has(sp.Float):
-        return ()
-    both = sp.ImmutableMatrix(exact.multiply(V, J))
-    return multiplied(A, V, both, "AV") + multiplied(V, J, both, "VJ")
 
 
 @eigenstructure.verification("eigenvalues")

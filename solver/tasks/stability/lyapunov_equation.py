@@ -93,6 +93,18 @@ def left_side(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: b
     return total(product(left, P), product(P, right))
 
 
+def function_of(P: ImmutableMatrix, Q: ImmutableMatrix) -> dict[str, Claim]:
+    """xᵀPx and −xᵀQx in the states; nothing of many."""
+    if P.rows > FEW:
+        return {}
+    x = sp.ImmutableMatrix(sp.symbols(f"x_1:{P.rows + 1}"))
+    forms = {"V": P, "rate": sp.ImmutableMatrix(-Q)}
+    return {
+        name: Claim(product(transpose(x), M, x), sp.expand((x.T * M * x)[0, 0]), Phrase("a quadratic form"))
+        for name, M in forms.items()
+    }
+
+
 @lemma("lyapunov_equation")
 def is_positive_definite(P: ImmutableMatrix) -> Derivation[bool | None]:
     """Whether all leading principal minors of P are positive; None where their signs depend on parameters."""

@@ -24,14 +24,13 @@ from solver.lazy import sympy as sp
 from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
-from solver.stated.matrices import transpose
 from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.form_meanings import first_routh_entry
 from solver.tasks.linear_algebra.characteristic_polynomial import factors_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability import checks
-from solver.tasks.stability.lyapunov_equation import is_positive_definite, lyapunov_solution_of
+from solver.tasks.stability.lyapunov_equation import function_of, is_positive_definite, lyapunov_solution_of
 from solver.tasks.stability.routh_array import Tabled, routh_array_of
 from solver.tasks.stability.verdicts import (
     MARGINAL,
@@ -128,20 +127,6 @@ def by_eigenvalues(given: Given[StateSpace, StabilityOptions]) -> Derivation[Ans
     return (yield from _answers(given, str(found.verdict)))
 
 
-WRITTEN_OUT = 3
-"""Quadratic forms of more states are not written out."""
-
-
-def _function(P: ImmutableMatrix, Q: ImmutableMatrix) -> dict[str, Claim]:
-    """xᵀPx and −xᵀQx in the states."""
-    x = sp.ImmutableMatrix(sp.symbols(f"x_1:{P.rows + 1}"))
-    forms = {"V": P, "rate": -Q}
-    return {
-        name: Claim(product(transpose(x), sp.ImmutableMatrix(M), x), sp.expand((x.T * M * x)[0, 0]), "a quadratic form")
-        for name, M in forms.items()
-    }
-
-
 @stability.method("lyapunov", title="Lyapunov's equation", source="Lecture note, equation (1.15.2)")
 def by_lyapunov(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answers]:
     """P of AᵀP + PA = −Q is positive definite if and only if A is asymptotically stable (Q > 0)."""
@@ -157,7 +142,7 @@ def by_lyapunov(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answer
             yield from depends_on_parameters(A, discrete=discrete)
         verdict = (STABLE if definite else UNSTABLE) if decisive else ""
     if verdict:
-        claims = {} if P is None or A.rows > WRITTEN_OUT else _function(P, Q)
+        claims = {} if P is None else function_of(P, Q)
         yield Step("verdict", claims=claims, unclaimed="" if claims else "Lyapunov's theorem", decisive=True,
                    verdict=verdict, **facts)  # fmt: skip
         yield from _confirmation(A)
