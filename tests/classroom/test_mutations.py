@@ -132,6 +132,8 @@ def is_right(part, question, name, ours, value, what):
         return True
     if what == "an item twice" and name in SETS and part.task not in ("lqr", "kalman_filter"):
         return True
+    if name == "critical_gains" and what == "an item twice":
+        return None  # that of a pair may be told for each of its poles
     if name in UP_TO_A_CONSTANT and isinstance(value, sp.Expr):
         return not sp.expand(value - ours).free_symbols  # up to a constant
     if question.task.answers[name].is_free(question.given) or (part.task, name) in DEFINED:
