@@ -74,6 +74,10 @@ ERRORS = [
     ("foo(x)", 0, 3, "unknown function", "foo*(...)"),
     ("log(x, 10)", 5, 1, "log takes one argument", "log(x)/log(10)"),
     ("u(t)", 0, 1, "not a function of t here", "step(t) or u*t"),
+    ("u(t-1) - u(t-4)", 0, 1, "not a function of t here", "step(t - 1) or u*(t - 1)"),
+    ("x - 2 x(t + m)", 6, 1, "not a function of t here", "x*(t + m)"),
+    ("1(t)", 0, 1, "1 is not a function of t here", "step(t) or 1*t"),
+    ("2 - 1(t-2)", 4, 1, "1 is not a function of t here", "step(t - 2) or 1*(t - 2)"),
     ("x(t)", 0, 1, "not a function of t here", "x*t"),
     ("step(2 + j)", 4, 7, "expected to be real", ""),
     # primes

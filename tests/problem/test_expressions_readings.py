@@ -47,6 +47,8 @@ READINGS = [
     # implicit products
     ("2s", 2 * s),
     ("3(s+1)", 3 * (s + 1)),
+    ("t(t - 1)", t * (t - 1)),
+    ("2(t - 1)", 2 * (t - 1)),
     ("(s+1)(s+2)", (s + 1) * (s + 2)),
     ("k_1 x", sp.Symbol("k_1", real=True) * x),
     ("2 sqrt(3) t", 2 * sp.sqrt(3) * t),

@@ -24,7 +24,7 @@ from solver.problem.expressions.names import Names
 from solver.problem.expressions.notation import FUNCTIONS, MAX_DEPTH, MAX_PRIMES
 from solver.problem.expressions.syntax import Call, Name, Node, Number, Power, Product, Signal, Sum
 from solver.problem.expressions.tokens import Kind, Token, exact_number, is_decimal
-from solver.problem.expressions.vocabulary import check_call, check_name, prime_refused
+from solver.problem.expressions.vocabulary import check_call, check_late, check_name, prime_refused
 
 _SIGNS = ("+", "-", "±")
 
@@ -176,6 +176,8 @@ class _Parser:
         token = self.cursor.token
         if token.kind is Kind.NUMBER:
             self.cursor.take()
+            if token.text == "1" and self.cursor.sees_adjacent("("):
+                self.check_late(token)
             return Number(token.at, token.end, exact_number(token), token.at if is_decimal(token) else -1)
         if token.kind is Kind.NAME:
             return self.name()
@@ -212,7 +214,13 @@ class _Parser:
         check_name(token, self.names)
         if self.cursor.sees_adjacent("("):
             check_call(token, self.names, self.cursor.after(2))
+            self.check_late(token)
         return Name(token.at, token.end, token.text)
+
+    def check_late(self, token: Token) -> None:
+        """Refuse u(t - 1) and 1(t) in a problem file; in an answer, a(t - 1) is a product."""
+        if self.decide is None:
+            check_late(token, self.names, self.cursor.after(12))
 
     def signal(self, token: Token) -> Node:
         """Read a function of time: x, x'', x(k+2)."""

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from difflib import get_close_matches
+from itertools import takewhile
 
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.names import Names
 from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS, GREEK_NAMES, OTHER_CONSTANTS, OTHER_FUNCTIONS
 from solver.problem.expressions.tokens import Token
+
+_TIMES = ("t", "k")
+_STEPS = ("u", "sigma", "1")
+"""How the unit step is written elsewhere."""
 
 
 def check_name(token: Token, names: Names) -> None:
@@ -27,18 +32,34 @@ def check_name(token: Token, names: Names) -> None:
 
 
 def check_call(token: Token, names: Names, following: Sequence[Token]) -> None:
-    """Raise an error where `name(` cannot well be a product; `following` are the two tokens after the bracket."""
+    """Raise an error where `name(` cannot well be a product; `following` are the tokens after the bracket."""
     name, length = token.text, token.end - token.at
     if name in FUNCTIONS:
         message = f"unclear: {name} is declared as a name, and is also a function"
         raise ExpressionError(message, token.at, length, f"{name}*(...)")
     if not (names.declares(name) or name in CONSTANTS or _is_single_symbol(token)):
         raise ExpressionError(f"unknown function {name}", token.at, length, _function_like(name))
-    inside = following[0].text if len(following) == 2 and following[1].text == ")" else ""
-    if inside in names.variables:
-        message = f"{name} is not a function of {inside} here"
-        suggestion = f"{name}*{inside}" if name != "u" else f"step({inside}) or u*{inside}"
-        raise ExpressionError(message, token.at, length, suggestion)
+    if following[0].text in names.variables and [each.text for each in following[1:2]] == [")"]:
+        raise _no_function(token, following[0].text, following[0].text)
+
+
+def check_late(token: Token, names: Names, following: Sequence[Token]) -> None:
+    """Raise an error where `u(t - 1)` or `1(t)` is written, which is no product of two numbers.
+
+    `following` are the tokens after the bracket.
+    """
+    time, *rest = following
+    if time.text in _TIMES and time.text in names.variables and token.text not in names.variables:
+        behind = [each.text for each in takewhile(lambda each: each.text not in ("(", ")"), rest)]
+        if not behind or behind[0] in ("+", "-"):
+            raise _no_function(token, time.text, " ".join([time.text, *behind]))
+
+
+def _no_function(token: Token, variable: str, inside: str) -> ExpressionError:
+    name = token.text
+    factor = inside if inside == variable else f"({inside})"
+    suggestion = f"step({inside}) or {name}*{factor}" if name in _STEPS else f"{name}*{factor}"
+    return ExpressionError(f"{name} is not a function of {variable} here", token.at, token.end - token.at, suggestion)
 
 
 def prime_refused(token: Token, names: Names, end: int) -> ExpressionError:
