@@ -48,8 +48,8 @@ def bar(doing: str = "", total: int | None = None, *, left: bool = False) -> Ite
     if not sys.stderr.isatty():
         yield lambda _done, _total, _doing: None
         return
-    from rich import progress as rich  # noqa: PLC0415 - as above
-    from rich.console import Console  # noqa: PLC0415 - scripts need none of it
+    from rich import progress as rich  # noqa: PLC0415 - scripts need none of it
+    from rich.console import Console  # noqa: PLC0415 - as above
 
     clock = rich.TimeRemainingColumn() if left else rich.TimeElapsedColumn()
     columns = (rich.TextColumn("{task.description}", markup=False), rich.BarColumn(), rich.MofNCompleteColumn(), clock)

@@ -121,15 +121,9 @@ class _Alike:
         symbol = LABELS.get(name, "") if not isinstance(value, int) else ""
         symbol = _text(name, wording) if _NAME.fullmatch(name) else symbol
         label = f"{symbol} =" if symbol else wording.say(name.replace("_", " "))
-        told = (
-            words
-            if words and words == symbol
-            else _short(f"{label} {words}")
-            if words
-            else label
-            if value is True
-            else ""
-        )
+        told = words if words == symbol else _short(f"{label} {words}")
+        if not words:
+            told = label if value is True else ""
         rows, columns = getattr(value, "shape", (0, 0))
         return told or (f"{label} {rows} × {columns}" if rows and not symbol else "")
 
