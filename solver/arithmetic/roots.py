@@ -34,7 +34,7 @@ def factored(polynomial: Expr, factors: Expr, x: Symbol) -> tuple[Step, ...]:
 def roots_found(polynomial: Expr, roots: list[Expr], x: Symbol) -> tuple[Step, ...]:
     """How the roots are found: those that are rational by trial, a pair that is left by the formula."""
     p = sp.Poly(polynomial, x)
-    if p.degree() < 2 or p.degree() != len(roots):
+    if p.degree() < 2 or p.degree() != len(roots) or any(each.has(sp.I) for each in p.all_coeffs()):
         return ()
     p = p.monic()
     rational = [root for root in roots if root.is_Rational]
@@ -70,7 +70,8 @@ def _factored(p: Poly, factors: list[Poly], x: Symbol) -> Derivation[None]:
     if split is not None:
         yield split
         return
-    rational = [-each.nth(0) / each.nth(1) for each in factors if each.degree() == 1]
+    roots = [-each.nth(0) / each.nth(1) for each in factors if each.degree() == 1]
+    rational = [root for root in roots if root.is_Rational]
     yield from _divided_out(p, rational, x)
 
 

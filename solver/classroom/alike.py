@@ -101,4 +101,4 @@ def told(node: Node) -> Any:
             return [node.braces, list(map(told, node.items))]
         case MappingNode():
             return {"of": [[told(each.key), told(each.value)] for each in node]}
-    raise AssertionError(f"a node of the kind {type(node).__name__}")
+    raise AssertionError("there is no other kind of node")
