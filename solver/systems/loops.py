@@ -11,7 +11,7 @@ from solver.systems.surrounded import Surrounded
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
-    from solver.systems.transfer_function import TransferFunction
+    from solver.systems.transfer_function import DeadTime, TransferFunction
 
 
 class Loop(Surrounded):
@@ -75,6 +75,8 @@ class LatePath(OutputFeedback):
 @dataclass(frozen=True)
 class LateLoop(OutputFeedback):
     """A loop round a dead time, C G e^{−Ts}/(1 + C G H e^{−Ts}): no quotient of polynomials."""
+
+    plant: DeadTime
 
     @property
     def provides(self) -> frozenset[str]:
