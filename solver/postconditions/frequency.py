@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -201,10 +202,47 @@ def of_bode_form(found: Any, L: Any) -> Iterator[Claim | Check]:
     yield Check.that("slopes", "numpy.roots", judges.are_slopes(loop, found.slopes))
 
 
-def of_sinusoid(found: Any, u: Any, t: Any) -> Iterator[Claim | Check]:
-    """The two amplitudes make up the signal."""
+def of_oscillations(found: Any, u: Any, t: Any) -> Iterator[Claim | Check]:
+    """The constant and the amplitudes make up the signal."""
     if found is not None:
-        yield Claim(found.cosine * sp.cos(found.omega * t) + found.sine * sp.sin(found.omega * t), u)
+        waves = (w.cosine * sp.cos(w.omega * t) + w.sine * sp.sin(w.omega * t) for w in found.sinusoids)
+        yield Claim(sp.Add(found.constant, *waves), u)
+
+
+def of_parametric_factors(found: Any, numerator: Any, denominator: Any, s: Any) -> Iterator[Claim | Check]:
+    """The number and the factors make up N/D."""
+    yield Claim(_product_of(found), numerator / denominator)
+    yield Check.that("the variable", "compared", found.s == s)
+
+
+def of_parametric_bode_form(found: Any, L: Any) -> Iterator[Claim | Check]:
+    """The form is L; each factor has the corner that is said."""
+    s = L.s
+    factors = sp.Mul(*(each.factor**each.power for each in found.corners))
+    yield Claim(found.gain * s**found.power * factors, _product_of(L))
+    for each in found.corners:
+        if each.damping is not None:
+            yield Claim(1 + 2 * each.damping * s / each.omega + s**2 / each.omega**2, each.factor)
+        else:
+            yield Claim((each.factor - 1) ** 2 * each.omega**2, s**2)
+
+
+def of_with_corners_in_order(found: Any, form: Any) -> Iterator[Check]:
+    """The same corners, rising at some values of the parameters; the slopes change there by what each does."""
+    factors, before = ([str(each.factor) for each in one.corners] for one in (found, form))
+    same = sorted(factors) == sorted(before)
+    yield Check.that("the corners", "compared", same)
+    for values in judges.values_of_parameters(found.frequencies, []):
+        sizes = [judges.decimal(omega.xreplace(values)) for omega in found.frequencies]
+        yield Check.that("rising", "mpmath", sizes == sorted(sizes))
+    steps = [b - a for a, b in pairwise(found.slopes)]
+    wanted = [sum(each.change for each in found.corners if each.omega == place) for place in found.places]
+    yield Check.that("slopes", "added", steps == wanted and found.slopes[0] == 20 * found.power)
+
+
+def _product_of(found: Any) -> Any:
+    factors = ((sp.Add(*(c * found.s**i for i, c in enumerate(reversed(f)))), m) for f, m in found.factors)
+    return sp.Mul(found.number, *(f**m for f, m in factors))
 
 
 def _are(wanted: Iterable[Any], found: Iterable[Any]) -> Check:

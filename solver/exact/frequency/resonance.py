@@ -12,9 +12,9 @@ from solver.exact.frequency.axis import OnAxis
 from solver.exact.frequency.crossings import Crossover, gain_crossovers
 from solver.exact.frequency.following import turning_points
 from solver.exact.frequency.surds import WORKING, decimal, value_of
+from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.stability.boundary import parts_on_circle
 from solver.exact.time_response.signals import read_signal
-from solver.exact.time_response.steady_state import wave_of
 
 
 @dataclass(frozen=True)
@@ -44,10 +44,27 @@ class Sinusoid:
     sine: sp.Expr
 
 
-def sinusoid(u: sp.Expr, t: sp.Symbol) -> Sinusoid | None:
-    """Read a signal as one oscillation; None for others."""
-    found = wave_of(read_signal(u, t, discrete=False), discrete=False)
-    return None if found is None else Sinusoid(*found)
+@dataclass(frozen=True)
+class Oscillations:
+    """A constant and sinusoids, the frequencies rising where they are numbers."""
+
+    constant: sp.Expr
+    sinusoids: tuple[Sinusoid, ...]
+
+
+def oscillations(u: sp.Expr, t: sp.Symbol) -> Oscillations | None:
+    """Read a signal as a sum of a constant and sinusoids; None for others, and for a constant alone."""
+    found = read_signal(u, t, discrete=False)
+    if found.impulses or any(begin != 0 or n or growth != 0 for begin, (n, growth, _, _) in found.terms):
+        return None
+    angles = list(dict.fromkeys(angle for _, (_, _, angle, _) in found.terms if angle != 0))
+    if not angles or not all(is_positive(angle) for angle in angles):
+        return None
+    if all(angle.is_number for angle in angles):
+        angles.sort(key=decimal)
+    parts = {(angle, sine): c for (_, (_, _, angle, sine)), c in found.terms.items()}
+    waves = (Sinusoid(w, parts.get((w, False), sp.S.Zero), parts.get((w, True), sp.S.Zero)) for w in angles)
+    return Oscillations(parts.get((sp.S.Zero, False), sp.S.Zero), tuple(waves))
 
 
 @lru_cache(maxsize=64)
@@ -146,4 +163,5 @@ def _within_a_turn(L: OnAxis) -> bool:
         return bool(min(values) > -180 and max(values) <= 180)
 
 
-__all__ = ["Bandwidth", "Resonance", "Sinusoid", "bandwidth", "phase_function", "resonance", "sinusoid"]
+__all__ = ["Bandwidth", "Oscillations", "Resonance", "Sinusoid", "bandwidth", "oscillations", "phase_function",
+           "resonance"]  # fmt: skip

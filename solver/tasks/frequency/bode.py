@@ -10,12 +10,11 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import frequency as judges
 from solver.stated.algebra import power, product, quotient
-from solver.tasks.frequency.crossovers import formula_of
 from solver.tasks.frequency.figures import bode_figure
 from solver.tasks.plant_options import LoopOptions
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
     from solver.systems import OpenLoop
 
@@ -51,14 +50,32 @@ REVERSED = Slip("reversed", "zeros and poles are exchanged: a pole bends the asy
 def by_corners(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
     """Each factor is made 1 at s = 0; at its corner the slope changes by 20 dB a decade for each power."""
     loop = given.system
+    if set(loop.parameters) - {loop.variable}:
+        return (yield from _of_parameters(loop))
     L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
     form = exact.bode_form(L)
-    yield _form(L, form)
-    yield _corners(form, L)
+    yield _form(L.N.as_expr() / L.D.as_expr(), form, L.variable, L.delay)
+    yield _corners(form, L.variable)
     yield _heights(form)
     yield Step("picture", unclaimed="drawn from the numbers found above", late=L.late, delay=L.delay,
                figures=bode_figure("Bode diagram of $L$ with its asymptotes", ("L", L), asymptotes=True),
-               negative=bool(form.gain < 0), power=form.power, rows=_turns(form))  # fmt: skip
+               negative=bool(form.gain < 0), power=form.power, rows=_turns(form, L.variable))  # fmt: skip
+    return _answers(form)
+
+
+def _of_parameters(loop: OpenLoop) -> Derivation[Answers]:
+    """Form, corners and slopes where the signs and the order of the corners are known; no diagram without values."""
+    s, L = loop.variable, exact.parametric_factors(loop.numerator, loop.denominator, loop.variable)
+    form = exact.parametric_bode_form(L)
+    yield _form(sp.cancel(loop.numerator / loop.denominator), form, s, loop.delay)
+    form = exact.with_corners_in_order(form)
+    yield _corners(form, s)
+    yield Step("phases", unclaimed="read off the factors", late=loop.delay != 0, delay=loop.delay, power=form.power,
+               negative=exact.decided_sign(form.gain) == -1, rows=_turns(form, s))  # fmt: skip
+    return _answers(form)
+
+
+def _answers(form: exact.BodeForm) -> Answers:
     return Answers(
         bode_gain=form.gain,
         corner_frequencies=form.frequencies,
@@ -66,9 +83,8 @@ def by_corners(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
     )
 
 
-def _form(L: exact.OnAxis, form: exact.BodeForm) -> Step:
+def _form(rational: Expr, form: exact.BodeForm, s: Symbol, delay: Expr) -> Step:
     """L as the gain, the power of s and factors that are 1 at s = 0."""
-    s = L.variable
     above = [
         power(each.factor, each.power) if each.power > 1 else each.factor for each in form.corners if each.power > 0
     ]
@@ -78,12 +94,11 @@ def _form(L: exact.OnAxis, form: exact.BodeForm) -> Step:
         (above if form.power > 0 else below).insert(0, s ** abs(form.power))
     top = product(form.gain, *above) if above else form.gain
     stated = quotient(top, product(*below) if len(below) > 1 else below[0]) if below else top
-    rational = L.N.as_expr() / L.D.as_expr()
-    return Step("form", claims={"form": Claim(rational, stated, "Bode's form")}, L=formula_of(L), s=s, gain=form.gain,
-                power=form.power, late=L.late, delay=L.delay, corners=form.corners)  # fmt: skip
+    return Step("form", claims={"form": Claim(rational, stated, "Bode's form")}, s=s, gain=form.gain,
+                power=form.power, late=delay != 0, delay=delay, corners=form.corners)  # fmt: skip
 
 
-def _corners(form: exact.BodeForm, L: exact.OnAxis) -> Step:
+def _corners(form: exact.BodeForm, s: Symbol) -> Step:
     """One row for each corner: what bends there, and the slope from there on."""
     rows = []
     for i, place in enumerate(form.places):
@@ -91,7 +106,7 @@ def _corners(form: exact.BodeForm, L: exact.OnAxis) -> Step:
         rows.append({"omega": place, "factors": here, "before": form.slopes[i], "after": form.slopes[i + 1],
                      "change": form.slopes[i + 1] - form.slopes[i]})  # fmt: skip
     return Step("corners", unclaimed="read off the factors; the answers have checks of their own", rows=rows,
-                start=form.slopes[0], slopes=list(form.slopes), power=form.power, s=L.variable)  # fmt: skip
+                start=form.slopes[0], slopes=list(form.slopes), power=form.power, s=s)  # fmt: skip
 
 
 def _heights(form: exact.BodeForm) -> Step:
@@ -111,38 +126,46 @@ def _heights(form: exact.BodeForm) -> Step:
                                                                           if each.damping == 0])  # fmt: skip
 
 
-def _turns(form: exact.BodeForm) -> list[tuple[Expr, int]]:
+def _turns(form: exact.BodeForm, s: Symbol) -> list[tuple[Expr, int]]:
     """How far each factor turns the phase, in degrees."""
-    return [(each.omega, each.power * _angle(each)) for each in form.corners]
+    return [(each.omega, each.power * _angle(each, s)) for each in form.corners]
 
 
-def _angle(corner: exact.Corner) -> int:
+def _angle(corner: exact.Corner, s: Symbol) -> int:
     """90° for each root, backward for those in the right half plane."""
     if corner.damping is not None:
-        return -180 if corner.damping < 0 else 180
-    return 90 if sp.diff(corner.factor, corner.factor.free_symbols.pop()) > 0 else -90
+        return 180 if corner.damping == 0 else 180 * exact.decided_sign(corner.damping)
+    return 90 * exact.decided_sign(sp.cancel((corner.factor - 1) / s))
 
 
 ORACLE = "mpmath.polyroots"
 
 
-def _numbers(given: Given[OpenLoop, LoopOptions]) -> judges.NumericLoop:
+def _numbers(given: Given[OpenLoop, LoopOptions], answers: Answers) -> list[tuple[judges.NumericLoop, dict[str, Any]]]:
+    """The loop and the answers in numbers, at some values of the parameters."""
     loop = given.system
-    return judges.numeric_loop(loop.numerator, loop.denominator, loop.variable, loop.delay)
+    formulas = (loop.numerator, loop.denominator, sp.S.Zero + loop.delay)
+    found = []
+    for values in judges.values_of_parameters(formulas, [loop.variable]):
+        N, D, delay = (each.xreplace(values) for each in formulas)
+        own = {name: [(sp.S.Zero + each).xreplace(values) for each in value] if isinstance(value, list | tuple)
+               else (sp.S.Zero + value).xreplace(values) for name, value in answers.items()}  # fmt: skip
+        found.append((judges.numeric_loop(N, D, loop.variable, delay), own))
+    return found
 
 
 @bode.verification("bode_gain", "corner_frequencies", "slopes")
 def are_those_of_the_roots(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """The limit of L/s^N, the sizes of the roots, and how many of them lie below each corner."""
-    loop = _numbers(given)
+    points = _numbers(given, answers)
     if "bode_gain" in answers:
-        residual = judges.bode_gain_residual(loop, answers["bode_gain"])
+        residual = max(judges.bode_gain_residual(loop, own["bode_gain"]) for loop, own in points)
         yield Check.within("the limit of $L(s)/s^{N}$ for $s \\to 0$", "mpmath", residual, 1e-12, answer="bode_gain")
     if "corner_frequencies" in answers:
-        residual = judges.corner_residual(loop, answers["corner_frequencies"])
+        residual = max(judges.corner_residual(loop, own["corner_frequencies"]) for loop, own in points)
         yield Check.within("the sizes of zeros and poles", ORACLE, residual, 1e-12, answer="corner_frequencies")
     if "slopes" in answers:
-        fits = judges.are_slopes(loop, answers["slopes"])
+        fits = all(judges.are_slopes(loop, own["slopes"]) for loop, own in points)
         yield Check.that("20 dB a decade for each zero, less those for poles, below a corner", ORACLE, fits,
                          answer="slopes")  # fmt: skip
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.frequencies import size_and_angle, slope_of
@@ -28,10 +28,12 @@ from solver.stated.algebra import product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
 from solver.tasks.frequency import response_checks, response_mistakes
-from solver.tasks.frequency.boundary import of_samples, on_boundary, period_of
+from solver.tasks.frequency.boundary import of_samples, period_of
 from solver.tasks.frequency.crossovers import angle_rows, approximation, formula_of, on_axis_of, shown_polynomial
 from solver.tasks.frequency.figures import bode_figure
-from solver.tasks.frequency.late_response import of_late_loop, waves_of
+from solver.tasks.frequency.late_response import of_late_loop
+from solver.tasks.frequency.parametric_response import has_parameters, of_parameters
+from solver.tasks.frequency.steady import Passed, axis_of, constant_through, input_of, steady_answers
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
@@ -99,12 +101,12 @@ def on_the_axis(given: Given[OpenLoop, ResponseOptions]) -> Derivation[Answers]:
     loop, options = given.system, given.options
     if loop.closed and loop.delay != 0:
         return (yield from of_late_loop(loop, options))
-    T = yield from _transfer(loop)
+    if has_parameters(loop, options):
+        return (yield from of_parameters(loop, options, *(yield from _transfer(loop))))
+    T = _on_boundary(loop, *(yield from _transfer(loop)))
     if options.input is not None:
         return (yield from _steady(loop, T, options.input))
     if options.frequency is not None:
-        if options.frequency.free_symbols:
-            raise Unsolved("frequency/parameters", names=sorted(options.frequency.free_symbols, key=str))
         magnitude, angle = yield from _value(T, options.frequency)
         return Answers(magnitude=magnitude, phase=angle)
     yield from on_axis_of(T, "T")
@@ -128,11 +130,11 @@ def on_the_axis(given: Given[OpenLoop, ResponseOptions]) -> Derivation[Answers]:
     return answers
 
 
-def _transfer(loop: OpenLoop) -> Derivation[exact.OnAxis]:
-    """T = C G/(1 + L) of a closed loop, C G of an open one."""
+def _transfer(loop: OpenLoop) -> Derivation[tuple[Expr, Expr]]:
+    """Numerator and denominator of T = C G/(1 + L) of a closed loop, of C G of an open one."""
     s, N, D = loop.variable, loop.numerator, loop.denominator
     if not loop.closed:
-        return on_boundary(loop)
+        return N, D
     forward = sp.cancel(loop.C * loop.G)
     if sp.cancel(1 + N / D) == 0:
         raise Unsolved("conversions/ill_posed_loop")
@@ -140,7 +142,14 @@ def _transfer(loop: OpenLoop) -> Derivation[exact.OnAxis]:
     claim = Claim(quotient(forward, total(sp.S.One, N / D)), closed, "the closed loop")
     yield Step("closed", claims={"T": claim}, s=s)
     above, below = sp.fraction(closed)
-    return of_samples(loop, above, below) if loop.discrete else exact.on_axis(above, below, s)
+    return above, below
+
+
+def _on_boundary(loop: OpenLoop, above: Expr, below: Expr) -> exact.OnAxis:
+    """T(jω), or T(e^{jωT})."""
+    if loop.discrete:
+        return of_samples(loop, above, below)
+    return exact.on_axis(above, below, loop.variable, loop.delay)
 
 
 def _functions(T: exact.OnAxis) -> Derivation[Answers]:
@@ -154,8 +163,10 @@ def _functions(T: exact.OnAxis) -> Derivation[Answers]:
     return Answers(magnitude=magnitude, phase=angle)
 
 
-def _value(T: exact.OnAxis, omega: Expr, *, normalized: bool = False) -> Derivation[tuple[Expr, Expr]]:
-    """T(jω) at one frequency, its size and its angle; `normalized`: in radians per sample."""
+def _value(
+    T: exact.OnAxis, omega: Expr, *, normalized: bool = False, several: bool = False
+) -> Derivation[tuple[Expr, Expr]]:
+    """T(jω) at one frequency (of `several`), its size and its angle; `normalized`: in radians per sample."""
     s = T.variable
     below = T.parts.below.as_expr().subs(T.parts.w, T.place(omega))
     if sp.expand(below) == 0:
@@ -186,7 +197,8 @@ def _value(T: exact.OnAxis, omega: Expr, *, normalized: bool = False) -> Derivat
         claims["turned"] = Claim(total(whole, 360 * turns), angle, "the phase between −180° and 180°")
     yield Step("value", claims=claims, omega=omega, value=value, rows=rows, turns=turns, angle=angle, s=s,
                magnitude=magnitude, near=approximation(magnitude), T=formula_of(T), discrete=T.discrete,
-               point=T.point(omega), alias=_alias(T, omega), normalized=normalized)  # fmt: skip
+               point=T.point(omega), alias=_alias(T, omega), normalized=normalized, several=several,
+               letter=sp.Symbol("omega"), axis=axis_of(omega))  # fmt: skip
     return magnitude, angle
 
 
@@ -201,30 +213,30 @@ def _alias(T: exact.OnAxis, omega: Expr) -> Expr | None:
 
 def _steady(loop: OpenLoop, T: exact.OnAxis, u: Expr) -> Derivation[Answers]:
     """What is left of the output of a stable system."""
-    in_samples = loop.discrete and not u.has(sp.Symbol("t"))
-    t = sp.Symbol("k" if in_samples else "t")
-    wave = exact.sinusoid(u, t)
-    if wave is None:
-        raise Unsolved("frequency/no_sinusoid", u=u)
-    if loop.discrete:  # frequencies are in rad/s; samples at t = kT
-        t, period = sp.Symbol("k"), period_of(loop)
-        per_sample = wave.omega if in_samples else wave.omega * period
-        wave = replace(wave, omega=per_sample / period)
+    given = input_of(u, discrete=loop.discrete, period=period_of(loop))
     whole = loop.numerator + loop.denominator if loop.closed else loop.denominator
     counts: Any = exact.root_counts(sp.Poly(whole, loop.variable).all_coeffs(), discrete=loop.discrete)
     if counts is None or counts.outside or counts.on:
         raise Unsolved("frequency/never_steady", p=whole, closed=loop.closed, discrete=loop.discrete)
+    grows = [given.grows(wave.omega) for wave in given.found.sinusoids]
     yield Step("stable", unclaimed="counted by a Routh array; the answer has a check of its own", p=whole,
-               closed=loop.closed, u=u, discrete=loop.discrete, sampled=loop.discrete and not in_samples,
-               theta=per_sample if loop.discrete else None)  # fmt: skip
-    magnitude, angle = yield from _value(T, wave.omega, normalized=loop.discrete and loop.sample_time is None)
-    radians = _radians(T, wave.omega, angle)
-    turned = (per_sample if loop.discrete else wave.omega) * t + radians
-    y = sp.Add(*(sp.expand(size * magnitude) * f(angle_of(turned), evaluate=False)
-                 for size, f, angle_of in waves_of(u, wave)))  # fmt: skip
-    yield Step("steady_state", unclaimed="the answer, which has a check of its own", y=y, omega=wave.omega, u=u,
-               angle=angle, radians=radians, magnitude=magnitude, discrete=loop.discrete)  # fmt: skip
-    return Answers(magnitude=magnitude, phase=angle, y_steady_state=y)
+               closed=loop.closed, u=u, discrete=loop.discrete, sampled=loop.discrete and not given.in_samples,
+               several=given.several, theta=grows[0])  # fmt: skip
+    normalized = loop.discrete and loop.sample_time is None
+    at = sp.Integer(int(loop.discrete))
+    return (yield from steady_answers(
+        given, lambda omega: _passed(T, omega, several=given.several, normalized=normalized),
+        lambda: constant_through(formula_of(T), T.variable, at, T.value(sp.S.Zero)[0])))  # fmt: skip
+
+
+def _passed(T: exact.OnAxis, omega: Expr, *, several: bool, normalized: bool) -> Derivation[Passed]:
+    """What T does to a sinusoid; of several one that is blocked adds nothing."""
+    if several and T.magnitude(omega) == 0:
+        value = Claim(value_at(formula_of(T), T.variable, T.point(omega)), sp.S.Zero, "the value of $T$")
+        yield Step("blocked", claims={"value": value}, omega=omega, letter=sp.Symbol("omega"), axis=axis_of(omega))
+        return Passed(sp.S.Zero, sp.S.Zero, sp.S.Zero)
+    magnitude, angle = yield from _value(T, omega, normalized=normalized, several=several)
+    return Passed(magnitude, angle, _radians(T, omega, angle))
 
 
 def _radians(T: exact.OnAxis, omega: Expr, angle: Expr) -> Expr:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
@@ -13,6 +12,7 @@ from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
 from solver.tasks.frequency.closed_loop import is_stable
 from solver.tasks.frequency.crossovers import negative_axis_of, on_axis_of
+from solver.tasks.frequency.steady import Passed, axis_of, constant_through, input_of, steady_answers
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -24,33 +24,40 @@ DIGITS = 30
 
 
 def of_late_loop(loop: OpenLoop, options: ResponseOptions) -> Derivation[Answers]:
-    """T(jω) at one frequency, of a sinusoid after it was seen that the loop settles."""
-    wave, t = None, sp.Symbol("t")
-    if options.input is not None:
-        wave = exact.sinusoid(options.input, t)
-        if wave is None:
-            raise Unsolved("frequency/no_sinusoid", u=options.input)
+    """T(jω) at one frequency, of sinusoids after it was seen that the loop settles."""
+    given = None if options.input is None else input_of(options.input)
+    asked = [options.frequency] if given is None else [wave.omega for wave in given.found.sinusoids]
+    if given is not None:
         yield from _settles(loop)
-    omega = wave.omega if wave else options.frequency
-    if omega is None:
+    names = sorted({*loop.parameters, *(x for each in asked if each for x in each.free_symbols)} - {loop.variable},
+                   key=str)  # fmt: skip
+    if options.frequency is None and given is None:
         raise Unsolved("frequency/closed_with_dead_time")
-    names = sorted({*loop.parameters, *omega.free_symbols} - {loop.variable}, key=str)
     if names:
         raise Unsolved("frequency/parameters", names=names)
-    magnitude, angle = yield from _value(loop, omega)
-    answers = Answers(magnitude=magnitude, phase=angle)
-    if wave and options.input is not None:
-        radians = sp.N(angle * sp.pi / 180, 30)
-        y = sp.Add(*(sp.expand(size * magnitude) * f(angle_of(omega * t + radians), evaluate=False)
-                     for size, f, angle_of in waves_of(options.input, wave)))  # fmt: skip
-        yield Step("steady_state", unclaimed="the answer, which has a check of its own", y=y, omega=omega,
-                   u=options.input, angle=angle, radians=radians, magnitude=magnitude, discrete=False)  # fmt: skip
-        answers["y_steady_state"] = y
-    return answers
+    if given is not None:
+        return (
+            yield from steady_answers(
+                given, lambda omega: _passed(loop, omega, several=given.several), lambda: _at_rest(loop)
+            )
+        )
+    magnitude, angle = yield from _value(loop, options.frequency)
+    return Answers(magnitude=magnitude, phase=angle)
+
+
+def _passed(loop: OpenLoop, omega: Expr, *, several: bool) -> Derivation[Passed]:
+    magnitude, angle = yield from _value(loop, omega, several=several)
+    return Passed(magnitude, angle, sp.N(angle * sp.pi / 180, 30))
+
+
+def _at_rest(loop: OpenLoop) -> Derivation[Expr]:
+    """T(0), where the dead time makes no difference."""
+    T = sp.cancel(loop.C * loop.G / (1 + loop.numerator / loop.denominator))
+    return (yield from constant_through(T, loop.variable, sp.S.Zero, sp.cancel(T.subs(loop.variable, 0))))
 
 
 @lemma("late_response")
-def _value(loop: OpenLoop, omega: Expr) -> Derivation[tuple[Expr, Expr]]:
+def _value(loop: OpenLoop, omega: Any, *, several: bool = False) -> Derivation[tuple[Expr, Expr]]:
     """T = F/(1 + L) at jω with F = C G e^{−Ts}: its size, and its angle in degrees, in decimals."""
     s, at = loop.variable, sp.I * omega
     L, F = loop.numerator / loop.denominator * loop.factor, sp.cancel(loop.C * loop.G) * loop.factor
@@ -71,7 +78,16 @@ def _value(loop: OpenLoop, omega: Expr) -> Derivation[tuple[Expr, Expr]]:
         "magnitude": Claim(absolute(T), size, "the magnitude"),
         "phase": Claim(phase(T), angle, "the phase"),
     }
-    yield Step("value", claims=claims, omega=omega, unity=loop.H == 1, s=s)
+    yield Step(
+        "value",
+        claims=claims,
+        omega=omega,
+        unity=loop.H == 1,
+        s=s,
+        several=several,
+        letter=sp.Symbol("omega"),
+        axis=axis_of(omega),
+    )
     return size, angle
 
 
@@ -85,20 +101,10 @@ def _settles(loop: OpenLoop) -> Derivation[None]:
         raise Unsolved("frequency/never_steady_late")
 
 
-def waves_of(u: Expr, wave: exact.Sinusoid) -> list[tuple[Expr, Any, Callable[[Any], Any]]]:
-    """The input as size, sin or cos, and how its angle grows by the phase: one wave where it was written as one."""
-    size, alone = u.as_independent(*(x for x in u.free_symbols if str(x) in ("t", "k")), as_Add=False)
-    if isinstance(alone, sp.sin | sp.cos):
-        start = alone.args[0].as_independent(sp.Symbol("t"), sp.Symbol("k"), as_Add=True)[0]
-        if not (alone.args[0] - start).could_extract_minus_sign():
-            return [(size, alone.func, lambda turned: turned + (sp.N(start, 30) if turned.has(sp.Float) else start))]
-    return [(part, f, lambda turned: turned) for part, f in ((wave.cosine, sp.cos), (wave.sine, sp.sin)) if part != 0]
-
-
 def _number(value: Any) -> Any:
     """A complex number in decimals."""
     real, imaginary = sp.N(value, DIGITS + 20).as_real_imag()
     return sp.Float(real, DIGITS) + sp.I * sp.Float(imaginary, DIGITS)
 
 
-__all__ = ["of_late_loop", "waves_of"]
+__all__ = ["of_late_loop"]

@@ -82,6 +82,8 @@ def half_a_turn_away(wrong: Wrong) -> Iterable[Any]:
 
 def _steady_with(wrong: Wrong, shift: Any) -> Iterable[Any]:
     """The steady answer with another phase: radians, counted from that of the input."""
+    if "phase" not in wrong.answers:  # of several sinusoids
+        return
     ours, phase = wrong.ours, wrong.answers["phase"] * sp.pi / 180
     for wave in ours.atoms(sp.sin, sp.cos):
         yield ours.xreplace({wave: wave.func(wave.args[0] - phase + shift)})
@@ -94,12 +96,12 @@ def without_phase(wrong: Wrong) -> Iterable[Any]:
 
 def with_degrees(wrong: Wrong) -> Iterable[Any]:
     """The number of degrees for radians."""
-    yield from _steady_with(wrong, wrong.answers["phase"])
+    yield from _steady_with(wrong, wrong.answers.get("phase"))
 
 
 def of_an_amplitude_of_one(wrong: Wrong) -> Iterable[Any]:
     """|T| as the amplitude."""
-    for wave in wrong.ours.atoms(sp.sin, sp.cos):
+    for wave in wrong.ours.atoms(sp.sin, sp.cos) if "magnitude" in wrong.answers else ():
         yield wrong.answers["magnitude"] * wave
 
 

@@ -27,6 +27,7 @@ from solver.numeric.judges.frequency.loops import (
 from solver.numeric.judges.frequency.numbers import closed_loop_poles, numeric_loop
 from solver.numeric.judges.frequency.responses import ClosedResponse, closed_response, frequencies_asked
 from solver.numeric.judges.frequency.turns import crossing_residual, turns_about
+from solver.numeric.judges.frequency.values import values_of_parameters
 
 __all__ = [
     "ClosedResponse",
@@ -58,4 +59,5 @@ __all__ = [
     "roots_outside",
     "turns_about",
     "unstable_poles",
+    "values_of_parameters",
 ]

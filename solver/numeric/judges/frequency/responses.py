@@ -14,6 +14,7 @@ import sympy as sp
 from solver.numeric.judges.frequency.crossings import decimal
 from solver.numeric.judges.frequency.loops import WORKING
 from solver.numeric.judges.frequency.roots import top_between
+from solver.numeric.judges.frequency.waves import oscillations
 
 POINTS = ("0.0173", "0.29", "0.83", "1.37", "2.9", "7.7", "31.3", "190.7")
 """Frequencies at which functions of ω are compared."""
@@ -82,28 +83,36 @@ class ClosedResponse:
         return worst
 
     def steady_residual(self, y: Any, u: Any) -> float:
-        """How far y(t) is from Im or Re of T(jω) e^{jωt}, by the input's amplitudes at two moments.
+        """How far y is from Σ c T(jω) e^{jωt} of the input Σ c e^{jωt}, ω of both signs or 0, at some moments.
 
         Of a discrete loop y is a function of k, t = kT, and told by its samples.
         """
+        t, k = sp.symbols("t k")
+        time, moments = t, ["0.11", "0.73", "1.9", "4.7"]
         if self.period is not None:
-            return self._sampled_residual(y, u)
-        t = sp.Symbol("t")
-        omega = frequencies_asked(u, None)
-        if omega is None or y.free_symbols - {t}:
+            u, y = (each.subs(t, k * self.period) for each in (u, y))
+            time, moments = k, ["0", "1", "2", "5", "13"]
+        if y.free_symbols - {time}:
             return WRONG
         with mpmath.workdps(WORKING):
-            w = decimal(omega)
-            cosine = decimal(u.subs(t, 0))
-            sine = decimal(u.subs(t, sp.pi / (2 * omega)))
-            value, worst = self.value(w), 0.0
-            for moment in ("0.11", "0.73", "1.9", "4.7"):
-                at = mpmath.mpf(moment)
-                turned = value * mpmath.exp(mpmath.mpc(0, w * at))
-                wanted = cosine * mpmath.re(turned) + sine * mpmath.im(turned)
-                own = decimal(y.subs(t, sp.Float(moment, WORKING)))
-                worst = max(worst, float(abs(wanted - own) / (abs(value) * (abs(cosine) + abs(sine)))))
+            waves = oscillations(u, time)
+            if waves is None:
+                return WRONG
+            period = 1 if self.period is None else decimal(self.period)
+            passed = [(c * self.value_at(omega / period), omega) for c, omega in waves]
+            size, worst = sum(abs(c) for c, _ in passed), 0.0
+            for moment in moments:
+                wanted = sum(mpmath.re(c * mpmath.expj(omega * mpmath.mpf(moment))) for c, omega in passed)
+                own = decimal(y.subs(time, sp.Float(moment, WORKING)))
+                worst = max(worst, float(abs(wanted - own) / size))
         return worst
+
+    def value_at(self, omega: Any) -> Any:
+        """T(jω); at ω = 0 the limit, where a factor of T has a pole there."""
+        try:
+            return self.value(omega)
+        except ZeroDivisionError:
+            return self.value(mpmath.mpf(10) ** -WORKING)
 
     def frequency_asked(self, u: Any, omega: Any) -> Any:
         """The frequency of a question in rad/s; None for a function."""
@@ -113,25 +122,6 @@ class ClosedResponse:
             return frequencies_asked(u, None)
         asked = frequencies_asked(u, None, sp.Symbol("k"))
         return None if asked is None else asked / self.period
-
-    def _sampled_residual(self, y: Any, u: Any) -> float:
-        t, k = sp.symbols("t k")
-        omega = self.frequency_asked(u, None)
-        samples = y.subs(t, k * self.period)
-        if omega is None or samples.free_symbols - {k}:
-            return WRONG
-        time = t if u.has(t) else k
-        quarter = sp.pi / (2 * (omega if time == t else omega * self.period))
-        with mpmath.workdps(WORKING):
-            w, T = decimal(omega), decimal(self.period)
-            cosine, sine = (decimal(u.subs(time, at)) for at in (0, quarter))
-            value, worst = self.value(w), 0.0
-            for moment in (0, 1, 2, 5, 13):
-                turned = value * mpmath.expj(w * T * moment)
-                wanted = cosine * mpmath.re(turned) + sine * mpmath.im(turned)
-                own = decimal(samples.subs(k, moment))
-                worst = max(worst, float(abs(wanted - own) / (abs(value) * (abs(cosine) + abs(sine)))))
-        return worst
 
     @cached_property
     def _samples(self) -> tuple[Any, Any]:
@@ -199,7 +189,8 @@ class ClosedResponse:
             below = np.flatnonzero(sizes < float(level))
             if not len(below) or below[0] == 0:
                 return None
-            a, b = mpmath.mpf(omega[below[0] - 1]), mpmath.mpf(omega[below[0]])
+            first, last = max(below[0] - 2, 0), min(below[0] + 1, len(omega) - 1)  # a sample may lie just there
+            a, b = mpmath.mpf(omega[first]), mpmath.mpf(omega[last])
             for _ in range(120):
                 middle = (a + b) / 2
                 a, b = (middle, b) if abs(self.value(middle)) > level else (a, middle)
