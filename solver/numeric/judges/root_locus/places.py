@@ -130,6 +130,10 @@ def _without(p: list[Any], root: Any) -> list[Any]:
     return p
 
 
+ALIKE = 0.05
+"""Frequencies ω and −ω' are meant as one pair where they differ by no more, relatively; both are judged."""
+
+
 def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequence[Any] | None) -> float:
     """Return how far points are from those where branches meet the boundary for K > 0, and gains from theirs.
 
@@ -164,10 +168,16 @@ def _sides(points: Sequence[Any], *, discrete: bool) -> tuple[list[Any], list[An
     if discrete:
         return upper + real, lower + real
     off = any(abs(each.real) > NEAR * abs(each) for each in (*upper, *lower))
-    rising = [each for each in real if each.real >= 0]
-    lone = [each for each in real if each.real < 0 and all(abs(each + other) > NEAR * abs(each) for other in rising)]
-    turned = [MP.mpc(0, each.real) for each in (*rising, *lone)]
-    return None if off else (upper + turned, lower + turned)
+    rising = [each.real for each in real if each.real >= 0]
+    mirrored, lone = list(rising), []
+    for each in (-each.real for each in real if each.real < 0):
+        i = next((i for i, other in enumerate(rising) if abs(other - each) <= ALIKE * each), None)
+        if i is None:
+            lone.append(-each)
+        else:
+            mirrored[i] = each
+    turned, back = ([MP.mpc(0, each) for each in (*side, *lone)] for side in (rising, mirrored))
+    return None if off else (upper + turned, lower + back)
 
 
 def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> float:
