@@ -74,7 +74,12 @@ def test_a_point_that_is_extra_is_named_with_its_gain():
 
 
 def test_crossings_are_pairs_or_frequencies():
-    for written in ("[1.414j, -1.414j]", "±1.414j", "1.414"):
+    for written in ("[1.414j, -1.414j]", "±1.414j", "1.414", "[1.414, -1.414]", "[-1.414, 1.41]"):
         assert judged("three", "imaginary_axis_crossings", written).verdict == "correct"
-    for written in ("[1.5j, -1.5j]", "none", "-1.414j"):
+    for written in ("[1.5j, -1.5j]", "none", "-1.414j", "[1.414, -1.43]", "[1.5, -1.5]"):
         assert judged("three", "imaginary_axis_crossings", written).verdict == "wrong"
+
+
+@pytest.mark.parametrize("written", ["6", "[6, 6]", '"[6,6]"', '"6,0"'])
+def test_whole_numbers_in_brackets_are_a_list_and_no_decimal(written):
+    assert judged("three", "critical_gains", written).verdict == "correct"

@@ -31,6 +31,9 @@ _VECTOR = re.compile(r"(^|[,;]\s*)[^\W\d]\w*\s*=\s*(?=[\[(].*[,;]\s*[^\W\d]\w*\s
 _SPAN = re.compile(r"\s*(?:span|Span|lin|LH)\s*(?=[({\[])")
 _JOINED = re.compile(r"\s+(?:and|und|or|oder|et|ou|∨)\s+", re.IGNORECASE)
 _SETS = {"∅": "[]", "{ }": "[]"}
+_LIST = re.compile(r"\[\s*[-+]?[1-9]\d*(?:,[-+]?\d+)+\s*\]")
+"""Whole numbers in brackets: what stands between them separates."""
+
 _DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.]|,\d)")
 
 
@@ -194,8 +197,9 @@ class Unfolding:
 
 
 def has_decimal_comma(node: Node) -> bool:
-    """Whether a comma stands between digits as a decimal comma does."""
-    return bool(_DECIMAL_COMMA.search(typed(node)))
+    """Whether a comma stands between digits as a decimal comma does, and not between the numbers of a list."""
+    text = typed(node).strip()
+    return bool(_DECIMAL_COMMA.search(text)) and not _LIST.fullmatch(text)
 
 
 def _columns(node: Node) -> Node:
