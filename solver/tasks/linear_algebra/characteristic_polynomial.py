@@ -166,9 +166,8 @@ def expansion_of(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) 
     i = determinants.row_with_most_zeros(pencil)
     stated = Claim(determinant(pencil), line, Phrase("determinant expanded along row {row}", row=i + 1))
     columns = [j for j in range(pencil.cols) if pencil[i, j] != 0 and adjugate[j, i] != 0]
-    multiplied = total(
-        *(product(pencil[i, j], adjugate[j, i]) for j in columns)
-    )  # cofactors are entries of the adjugate
+    signs = {j: (-1) ** (i + j) for j in columns}  # cofactors, minors with their signs, are entries of the adjugate
+    multiplied = total(*(product(signs[j] * pencil[i, j], signs[j] * adjugate[j, i]) for j in columns))
     if not columns:
         return {"stated": stated, "value": Claim(line, chi, "every minor is zero")}
     return {
