@@ -237,7 +237,7 @@ def of_with_corners_in_order(found: Any, form: Any) -> Iterator[Check]:
         yield Check.that("rising", "mpmath", sizes == sorted(sizes))
     steps = [b - a for a, b in pairwise(found.slopes)]
     wanted = [sum(each.change for each in found.corners if each.omega == place) for place in found.places]
-    yield Check.that("slopes", "added", steps == wanted and found.slopes[0] == 20 * found.power)
+    yield Check.that("slopes", "compared", steps == wanted and found.slopes[0] == 20 * found.power)
 
 
 def _product_of(found: Any) -> Any:

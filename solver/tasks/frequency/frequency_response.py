@@ -49,7 +49,7 @@ class ResponseOptions(LoopOptions):
 
     input: Expr | None = option(
         Signal(sampled=True),
-        'a sinusoidal input, such as "2cos(4t)" (discrete: in k or t), whose steady answer is asked for',
+        'a sinusoidal input, such as "2cos(4t)" (discrete: in k or t), or a sum of such and a constant',
     )
     frequency: Expr | None = option(Number(), "the frequency in rad/s; without it magnitude and phase are functions")
 
