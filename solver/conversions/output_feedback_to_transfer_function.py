@@ -28,8 +28,11 @@ def closed(system: System, options: Mapping[str, Any]) -> OutputFeedback:
     controller, H = options["controller"], options["feedback"]
     C = sp.Integer(1) if controller is None else controller
     several = {system.size("p") or 1, system.size("m") or 1} != {1} or hasattr(C, "shape") or hasattr(H, "shape")
-    late = (LatePath if H is None else LateLoop) if isinstance(system, DeadTime) else OutputFeedback
-    return (MatrixFeedback if several else late)(system, C, H)
+    if several:
+        return MatrixFeedback(system, C, H)
+    if not isinstance(system, DeadTime):
+        return OutputFeedback(system, C, H)
+    return LatePath(system, C, H) if H is None else LateLoop(system, C, H)
 
 
 @conversion(OutputFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion", "path"))

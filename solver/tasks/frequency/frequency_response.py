@@ -20,6 +20,7 @@ from solver.derivation import (
     Unsolved,
     option,
 )  # fmt: skip
+from solver.derivation.lemmas import worded_by
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.options.number import Number
@@ -33,7 +34,7 @@ from solver.tasks.frequency.crossovers import angle_rows, approximation, formula
 from solver.tasks.frequency.figures import bode_figure
 from solver.tasks.frequency.late_response import of_late_loop
 from solver.tasks.frequency.parametric_response import has_parameters, of_parameters
-from solver.tasks.frequency.steady import Passed, axis_of, constant_through, input_of, steady_answers
+from solver.tasks.frequency.steady import Passed, axis_of, constant_through, dies_out, input_of, steady_answers
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
@@ -219,9 +220,8 @@ def _steady(loop: OpenLoop, T: exact.OnAxis, u: Expr) -> Derivation[Answers]:
     if counts is None or counts.outside or counts.on:
         raise Unsolved("frequency/never_steady", p=whole, closed=loop.closed, discrete=loop.discrete)
     grows = [given.grows(wave.omega) for wave in given.found.sinusoids]
-    yield Step("stable", unclaimed="counted by a Routh array; the answer has a check of its own", p=whole,
-               closed=loop.closed, u=u, discrete=loop.discrete, sampled=loop.discrete and not given.in_samples,
-               several=given.several, theta=grows[0])  # fmt: skip
+    yield from dies_out(whole, closed=loop.closed, discrete=loop.discrete, several=given.several, theta=grows[0],
+                        sampled=loop.discrete and not given.in_samples)  # fmt: skip
     normalized = loop.discrete and loop.sample_time is None
     at = sp.Integer(int(loop.discrete))
     return (yield from steady_answers(
@@ -229,6 +229,7 @@ def _steady(loop: OpenLoop, T: exact.OnAxis, u: Expr) -> Derivation[Answers]:
         lambda: constant_through(formula_of(T), T.variable, at, T.value(sp.S.Zero)[0])))  # fmt: skip
 
 
+@worded_by("frequency_response/frequency_response")
 def _passed(T: exact.OnAxis, omega: Expr, *, several: bool, normalized: bool) -> Derivation[Passed]:
     """What T does to a sinusoid; of several one that is blocked adds nothing."""
     if several and T.magnitude(omega) == 0:

@@ -11,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
-from solver.tasks.frequency.steady import Passed, axis_of, constant_through, input_of, steady_answers
+from solver.tasks.frequency.steady import Passed, axis_of, constant_through, dies_out, input_of, steady_answers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -67,8 +67,8 @@ def _value(
     rows = T.at(omega)
     for each in rows:
         if each.value == 0:
-            kind = "zero_at_the_frequency" if each.power > 0 else "pole_at_the_frequency"
-            raise Unsolved(f"frequency/{kind}", omega=omega)
+            reason = "frequency/zero_at_the_frequency" if each.power > 0 else "frequency/pole_at_the_frequency"
+            raise Unsolved(reason, omega=omega)
     claims = {}
     for i, each in enumerate(rows, 1):
         at = value_at(each.factor, T.s, sp.I * omega)
@@ -142,8 +142,7 @@ def _settles(loop: OpenLoop, *, several: bool) -> Derivation[None]:
             raise Unsolved("frequency/stability_not_known", p=whole, what=sp.factor(each / listed[0]))
         if sign != 1:
             raise Unsolved("frequency/never_steady", p=whole, closed=loop.closed, discrete=False)
-    yield Step("stable", unclaimed="counted by a Routh array; the answer has a check of its own", p=whole,
-               closed=loop.closed, discrete=False, sampled=False, several=several)  # fmt: skip
+    yield from dies_out(whole, closed=loop.closed, discrete=False, several=several)
 
 
 @lemma("parametric_response")

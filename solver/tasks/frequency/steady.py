@@ -1,4 +1,4 @@
-"""What is left of the output for a sinusoid, or for several and a constant, each of which passes by itself."""
+"""Lemma: what is left of the output for a sinusoid, or for several and a constant, each of which passes by itself."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Answers, Claim, Derivation, Step, Unsolved
+from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.calculus import value_at
@@ -70,6 +70,16 @@ def input_of(u: Expr, *, discrete: bool = False, period: Expr | None = None) -> 
     return Input(u, found, sp.Symbol("k" if discrete else "t"), period, in_samples)
 
 
+@lemma("steady_response")
+def dies_out(
+    p: Expr, *, closed: bool, discrete: bool, several: bool, sampled: bool = False, theta: Expr | None = None
+) -> Derivation[None]:
+    """The step that says that the roots of p are stable; `theta` is what an angle grows by a sample."""
+    yield Step("stable", unclaimed="counted by a Routh array; the answer has a check of its own", p=p, closed=closed,
+               discrete=discrete, sampled=sampled, several=several, theta=theta)  # fmt: skip
+
+
+@lemma("steady_response")
 def steady_answers(
     given: Input, value: Callable[[Expr], Derivation[Passed]], at_rest: Callable[[], Derivation[Expr]]
 ) -> Derivation[Answers]:
@@ -102,6 +112,7 @@ def axis_of(omega: Expr) -> Expr:
     return sp.I if omega == 1 else sp.I * sp.Symbol("omega")
 
 
+@lemma("steady_response")
 def constant_through(formula: Expr, s: Expr, at: Expr, value: Expr) -> Derivation[Expr]:
     """The step for a constant input, which is multiplied by the value at rest, T(0) or T(1)."""
     yield Step("rest", claims={"rest": Claim(value_at(formula, s, at), value, "the value at rest")}, s=s, at=at)
@@ -118,4 +129,4 @@ def waves_of(u: Expr, wave: exact.Sinusoid) -> list[tuple[Expr, Any, Callable[[A
     return [(part, f, lambda turned: turned) for part, f in ((wave.cosine, sp.cos), (wave.sine, sp.sin)) if part != 0]
 
 
-__all__ = ["Passed", "axis_of", "constant_through", "input_of", "steady_answers"]
+__all__ = ["Passed", "axis_of", "constant_through", "dies_out", "input_of", "steady_answers"]
