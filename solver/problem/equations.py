@@ -109,7 +109,8 @@ class EquationReader:
     def _jet_of(self, each: Any, node: ScalarNode) -> Jet:
         """Return the function and the order of a derivative, or of a function at a time."""
         function, order = (each.expr, int(each.derivative_count)) if isinstance(each, sp.Derivative) else (each, 0)
-        order = order or self._ahead(function, node)
+        ahead = self._ahead(function, node)
+        order = order or ahead
         if abs(order) > MAX_ORDER:
             raise node.fault(f"derivatives and samples are read up to order {MAX_ORDER}")
         return str(function.func.__name__), order
@@ -120,6 +121,9 @@ class EquationReader:
         if not ahead.is_Integer:
             variable = "k, as in y(k+1)" if self.discrete else "t"
             raise node.fault(f"a function of time is written at the time {variable}")
+        if ahead and not self.discrete:
+            note = "a dead time is written in a transfer function: exp(-s)/(s + 1); samples need time: discrete"
+            raise node.fault(f"{function.func.__name__}({function.args[0]}) is the value at another time", note=note)
         return int(ahead)
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from solver.problem.reader import read_problem
-from solver.problem.source import Source
+from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
 
 
@@ -26,3 +26,12 @@ def test_what_occurs_in_equations_comes_in_the_order_of_the_text(time, equations
     text = f"system: {{{time}equations: {equations}, inputs: [u]}}\nfind: {{a: state_space_model}}\n"
     system = read_problem(Source("p.yaml", text), catalogue()).parts[0].system
     assert list(system.jets.values()) == jets
+
+
+def test_a_value_at_another_time_is_no_sample_of_continuous_time():
+    """x(t - 1) is neither x nor a derivative of it."""
+    for equation in ("x' = -x(t-1) + u", "x' = -x + u(t - 1)", "x' = x(t + 2) + u"):
+        text = f'system: {{equations: ["{equation}"], inputs: [u]}}\nfind: {{a: stability}}\n'
+        with pytest.raises(InputError, match="is the value at another time") as caught:
+            read_problem(Source("p.yaml", text), catalogue())
+        assert "exp(-s)/(s + 1)" in str(caught.value)

@@ -21,7 +21,7 @@ from solver.problem.expressions.cursor import Cursor
 from solver.problem.expressions.doubts import Decide, Doubt
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.names import Names
-from solver.problem.expressions.notation import FUNCTIONS, MAX_DEPTH, MAX_PRIMES
+from solver.problem.expressions.notation import FUNCTIONS, MAX_DEPTH, MAX_PRIMES, MAX_TOKENS
 from solver.problem.expressions.syntax import Call, Name, Node, Number, Power, Product, Signal, Sum
 from solver.problem.expressions.tokens import Kind, Token, exact_number, is_decimal
 from solver.problem.expressions.vocabulary import check_call, check_late, check_name, prime_refused
@@ -176,7 +176,7 @@ class _Parser:
         token = self.cursor.token
         if token.kind is Kind.NUMBER:
             self.cursor.take()
-            if token.text == "1" and self.cursor.sees_adjacent("("):
+            if token.text in ("1", "1.0") and self.cursor.sees("("):
                 self.check_late(token)
             return Number(token.at, token.end, exact_number(token), token.at if is_decimal(token) else -1)
         if token.kind is Kind.NAME:
@@ -214,13 +214,14 @@ class _Parser:
         check_name(token, self.names)
         if self.cursor.sees_adjacent("("):
             check_call(token, self.names, self.cursor.after(2))
+        if self.cursor.sees("("):
             self.check_late(token)
         return Name(token.at, token.end, token.text)
 
     def check_late(self, token: Token) -> None:
         """Refuse u(t - 1) and 1(t) in a problem file; in an answer, a(t - 1) is a product."""
         if self.decide is None:
-            check_late(token, self.names, self.cursor.after(12))
+            check_late(token, self.names, self.cursor.after(MAX_TOKENS), self.cursor.text)
 
     def signal(self, token: Token) -> Node:
         """Read a function of time: x, x'', x(k+2)."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
-from itertools import takewhile
 
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.names import Names
@@ -12,7 +11,7 @@ from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS, GREEK_NAME
 from solver.problem.expressions.tokens import Token
 
 _TIMES = ("t", "k")
-_STEPS = ("u", "sigma", "1")
+_STEPS = ("u", "sigma", "1", "1.0")
 """How the unit step is written elsewhere."""
 
 
@@ -43,16 +42,26 @@ def check_call(token: Token, names: Names, following: Sequence[Token]) -> None:
         raise _no_function(token, following[0].text, following[0].text)
 
 
-def check_late(token: Token, names: Names, following: Sequence[Token]) -> None:
+def check_late(token: Token, names: Names, following: Sequence[Token], text: str) -> None:
     """Raise an error where `u(t - 1)` or `1(t)` is written, which is no product of two numbers.
 
-    `following` are the tokens after the bracket.
+    `following` are the tokens of the text after the bracket. Before a space only a sign of the unit step is refused.
     """
-    time, *rest = following
-    if time.text in _TIMES and time.text in names.variables and token.text not in names.variables:
-        behind = [each.text for each in takewhile(lambda each: each.text not in ("(", ")"), rest)]
-        if not behind or behind[0] in ("+", "-"):
-            raise _no_function(token, time.text, " ".join([time.text, *behind]))
+    inside = list(_to_its_end(following))
+    time = next((each.text for each in inside if each.text in _TIMES and each.text in names.variables), "")
+    tight = bool(following) and following[0].at == token.end + 1
+    if time and token.text not in names.variables and (tight or token.text in _STEPS):
+        raise _no_function(token, time, text[inside[0].at : inside[-1].end])
+
+
+def _to_its_end(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Yield the tokens to the end of the bracket in which they stand."""
+    depth = 0
+    for each in tokens:
+        depth += (each.text == "(") - (each.text == ")")
+        if depth < 0:
+            return
+        yield each
 
 
 def _no_function(token: Token, variable: str, inside: str) -> ExpressionError:
