@@ -124,6 +124,15 @@ def test_an_exam_and_its_answers_may_be_data(tmp_path, monkeypatch):
     assert "<Cy>: at answers: error: 'answers:' must list" in marked.papers[2].fault
 
 
+def test_answers_as_data_say_their_variant():
+    exam = {**SMALL, "variants": {"count": 2}}
+    said = {1: {"a": {"verdict": "asymptotically stable"}}}
+    marked = solver.check_exam(exam, {"Ada": {"variant": 2, "answers": said}, "Bob": said})
+    ada, bob = marked.papers
+    assert (ada.variant, ada.marking and ada.marking.marks) == (2, 4)
+    assert "the key 'variant' is missing" in bob.fault
+
+
 @pytest.mark.parametrize(
     ("text", "told"),
     [

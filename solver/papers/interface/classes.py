@@ -156,9 +156,12 @@ def _overridden(source: Source, exam: Exam, graded: Sequence[Graded]) -> tuple[G
 
 
 def _handed_in(answers: Answers, exam: Exam) -> list[HandedIn]:
-    """Read what was handed in."""
+    """Read what was handed in: files, or by student the answers, or what a file says beside them: the variant."""
     if isinstance(answers, Mapping):
-        given = {f"<{student}>": {"student": student, "answers": each} for student, each in answers.items()}
+        given: dict[str, dict[str, Any]] = {}
+        for student, each in answers.items():
+            said = each if isinstance(each, Mapping) and "answers" in each else {"answers": each}
+            given[f"<{student}>"] = {"student": student, **said}
         return [handed_in(name, partial(source_of_data, each, name), exam) for name, each in given.items()]
     named = [Path(answers)] if isinstance(answers, str | Path) else [Path(each) for each in answers]
     files = [file for each in named for file in (answer_files(each) if each.is_dir() else [each])]
