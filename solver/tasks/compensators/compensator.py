@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.frequencies import size_and_angle
 from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
@@ -115,6 +116,7 @@ def _check(
     )
 
 
+@where_exact
 def _at_the_crossover(L: Expr, s: Symbol, crossover: exact.Crossover) -> tuple[Step, ...]:
     """Size and angle at the crossover, factor by factor."""
     return size_and_angle(L, s, sp.I * crossover.omega, sp.S.One, crossover.phase)

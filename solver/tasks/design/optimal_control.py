@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from solver.arithmetic.determinants import worked_out
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.roots import roots_found
 from solver.derivation import Answers, Claim, Derivation, Given, Step, lemma
 from solver.lazy import exact
@@ -39,6 +40,7 @@ def gain_claims(problem: Regulator, P: ImmutableMatrix, K: ImmutableMatrix) -> d
     }
 
 
+@where_exact
 def _eigenvalues(loop: ImmutableMatrix, eigenvalues: Sequence[Expr], *, discrete: bool) -> tuple[Step, ...]:
     """The characteristic polynomial of a loop of order two in numbers and its roots, which were found another way."""
     if loop.rows != 2 or loop.free_symbols:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.fractions_of_systems import fraction_multiplied_out
 from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
@@ -233,6 +234,7 @@ def reduced_compensator(
     return Compensator(F, G, H, E, products), claims
 
 
+@where_exact
 def _multiplied(left: ImmutableMatrix, right: ImmutableMatrix) -> tuple[Step, ...]:
     return multiplied(left, right, tidied(left * right))
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from solver.arithmetic.equations import system_solved
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.inverses import inverted
 from solver.arithmetic.products import multiplied, polynomial_of
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -65,6 +66,7 @@ def by_ackermann(pair: Pair) -> Derivation[ImmutableMatrix]:
     return k
 
 
+@where_exact
 def _last_row(C_o: ImmutableMatrix, q: ImmutableMatrix) -> tuple[Step, ...]:
     """q 𝒞 = (0, …, 0, 1), column by column, solved for the entries of q."""
     n = C_o.rows
@@ -73,6 +75,7 @@ def _last_row(C_o: ImmutableMatrix, q: ImmutableMatrix) -> tuple[Step, ...]:
     return system_solved(list(zip(left, sp.eye(n).row(n - 1), strict=True)), unknowns, q.flat())
 
 
+@where_exact
 def _multiplied(pair: Pair, left: ImmutableMatrix, right: ImmutableMatrix, value: ImmutableMatrix) -> tuple[Step, ...]:
     """The product of two matrices as the frame writes it."""
     shown = pair.frame.shown

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Refusal, Step, lemma
 from solver.derivation.figures import Diagram
@@ -124,6 +125,7 @@ def observer_matrices_of(
     return J, N, M
 
 
+@where_exact
 def _worked_out(pairs: Iterable[tuple[ImmutableMatrix, ImmutableMatrix]]) -> tuple[Step, ...]:
     """The products of pairs of matrices, without those of two numbers."""
     matrices = [(left, right) for left, right in pairs if left.shape != (1, 1) or right.shape != (1, 1)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.products import multiplied
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -18,6 +19,7 @@ LARGEST = 3
 """Products with larger matrices of unknowns fill the page."""
 
 
+@where_exact
 def products_of_the_equation(problem: Regulator, P: ImmutableMatrix) -> tuple[Step, ...]:
     """AᵀP, whose transpose is PA; BᵀP; P B R⁻¹ times BᵀP."""
     if P.rows > LARGEST:
@@ -41,6 +43,7 @@ def products_of_the_equation(problem: Regulator, P: ImmutableMatrix) -> tuple[St
     )
 
 
+@where_exact
 def products_of_the_gain(problem: Regulator, P: ImmutableMatrix) -> tuple[Step, ...]:
     """BᵀP and R⁻¹ times it (with a cross weight times BᵀP + Nᵀ); for a filter PCᵀ and that times R⁻¹."""
     Bt = problem.Bt
@@ -64,6 +67,7 @@ def _products_of_the_discrete_gain(problem: Regulator, P: ImmutableMatrix, first
     )
 
 
+@where_exact
 def products_of_a_form(x: ImmutableMatrix, P: ImmutableMatrix, names: tuple[str, str]) -> tuple[Step, ...]:
     """P x and xᵀ times it; `names` are those of the products."""
     return (*_multiplied(P, x, names[0]), *_multiplied(x.T, _expanded(P * x), names[1]))

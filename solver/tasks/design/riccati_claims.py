@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, TypeVar
 
 from solver.arithmetic.equations import system_solved
+from solver.arithmetic.exactness import where_exact
 from solver.derivation import Claim, Step, Unsolved
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -74,6 +75,7 @@ def loop_polynomial_claim(problem: Regulator, solution: exact.RiccatiSolution) -
     return Claim(determinant(loop), polynomial_of(problem, solution), "characteristic polynomial of the closed loop")
 
 
+@where_exact
 def linear_equations(M: ImmutableMatrix, right: ImmutableMatrix, P: ImmutableMatrix) -> tuple[Step, ...]:
     """M P = `right`, as many independent equations as P has entries on and above the diagonal."""
     unknown, n = unknown_matrix(P.rows), P.rows

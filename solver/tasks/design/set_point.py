@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.determinants import expanded, first_line
 from solver.arithmetic.equations import system_solved
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.products import multiplied
 from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact, numeric
@@ -71,6 +72,7 @@ def determinant_of_rest(M: ImmutableMatrix, det: Expr) -> tuple[dict[str, Claim]
     return claims, expanded(M, exact.multiplied_out(det))
 
 
+@where_exact
 def rest_by_elimination(found: exact.SetPoint) -> tuple[Step, ...]:
     """The equations of rest for one reference solved for F and N; nothing for several, or for many solutions."""
     M, n = found.matrix, found.F.rows

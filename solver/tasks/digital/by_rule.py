@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.inverses import inverted
 from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -66,6 +67,7 @@ def _matrix_claims(plant: StateSpace, found: exact.Mapped, name: str, h: Expr) -
     return claims
 
 
+@where_exact
 def _products(plant: StateSpace, found: exact.Mapped, name: str, h: Expr) -> tuple[Step, ...]:
     """The products with the inverse."""
     M, B, C = found.inverted, found.B, found.C

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.frequencies import size_and_angle
 from solver.arithmetic.quadratics import both_roots
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -207,6 +208,7 @@ def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: b
                 inner=sum(not row["end"] for row in roots))  # fmt: skip
 
 
+@where_exact
 def _values(L: exact.OnAxis, found: exact.PhaseCrossovers) -> tuple[Step, ...]:
     """The size of L where it is real, factor by factor."""
     lines: tuple[Step, ...] = ()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.chains import chains_worked_out
 from solver.arithmetic.coordinates import both_sides
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.quadratics import quadratic_formula, roots_of_squares
 from solver.arithmetic.row_operations import null_vectors, row_operations
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
@@ -156,6 +157,7 @@ def _eigenspace_steps(A: ImmutableMatrix, spaces: Sequence[exact.Eigenspace], *,
         )
 
 
+@where_exact
 def _arithmetic(pencil: ImmutableMatrix, space: exact.Eigenspace, reduction: exact.RowReduction) -> tuple[Step, ...]:
     """The row operations; then the unknowns and the scale, or the chains, their number and lengths."""
     operations = row_operations(pencil, reduction)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.inverses import inverted
 from solver.arithmetic.products import multiplied
 from solver.derivation import (
@@ -121,6 +122,7 @@ def by_observability_matrix(given: Given[WithOutput, InitialStateOptions]) -> De
     return Answers(x0=x0)
 
 
+@where_exact
 def _by_the_inverse(O: ImmutableMatrix, right: ImmutableMatrix, x0: ImmutableMatrix) -> tuple[Step, ...]:
     """The inverse of the observability matrix, and its product with what the state alone gives."""
     back = exact.inverse(O)

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.quadratics import both_roots
 from solver.arithmetic.roots import values_at
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -104,6 +105,7 @@ def _crossings(form: Form, found: tuple[exact.Crossing, ...], *, along: bool) ->
                 discrete=circle)  # fmt: skip
 
 
+@where_exact
 def _gains(form: Form, squared: Expr, rows: Sequence[Mapping[str, Any]]) -> tuple[Step, ...]:
     """K from the equation in which it is alone with ω², or c, where that is linear."""
     parts, places = exact.on_boundary(form.equation), [row["square"] for row in rows if not row["real"]]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from solver.arithmetic.determinants import leading_minors
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.products import multiplied
 from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -66,6 +67,7 @@ def lyapunov_solution_of(
     return P
 
 
+@where_exact
 def _elimination(unknowns: exact.Unknowns) -> tuple[Step, ...]:
     """The linear equations as an augmented matrix, reduced; only where there are few."""
     if len(unknowns.symbols) > FEW or any(x.free_symbols - set(unknowns.symbols) for x in unknowns.equations):
@@ -75,6 +77,7 @@ def _elimination(unknowns: exact.Unknowns) -> tuple[Step, ...]:
     return row_operations(augmented, exact.row_reduction(augmented))
 
 
+@where_exact
 def _products(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: bool) -> tuple[Step, ...]:
     """The product of the left side; in continuous time the other one is its transpose."""
     left, right = (sp.ImmutableMatrix(M) for M in ((A, A.T) if dual else (A.T, A)))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.determinants import leading_minors
 from solver.arithmetic.equations import eliminated
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.integrals import integrated
 from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
@@ -65,6 +66,7 @@ def infinite_gramian_of(pair: Pair) -> Derivation[ImmutableMatrix]:
     return W
 
 
+@where_exact
 def _solved(asked: Step, W: ImmutableMatrix) -> tuple[Step, ...]:
     """The elimination, where the equations are written out."""
     n, unknown, equations = W.rows, asked.values["unknown"], asked.values["equations"]
@@ -92,6 +94,7 @@ def _equation(pair: Pair, Q: ImmutableMatrix) -> Step:
     )
 
 
+@where_exact
 def _sides(pair: Pair, unknown: ImmutableMatrix) -> tuple[Step, ...]:
     """The products of the left side: of the two that are transposes of each other only one."""
     FW = sp.ImmutableMatrix((pair.F * unknown).applyfunc(sp.expand))

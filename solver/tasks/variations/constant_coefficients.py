@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.quadratics import quadratic_formula, roots_of_squares
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
@@ -85,6 +86,7 @@ def split_of(found: exact.FundamentalSystem, lamda: Symbol) -> Any:
     return product(*(power(p, m) for p, m in factors))
 
 
+@where_exact
 def _arithmetic(found: exact.FundamentalSystem, lamda: Symbol) -> tuple[Step, ...]:
     """The quadratic formula for each factor that needs it."""
     lines: list[Step] = []
