@@ -181,8 +181,9 @@ class Work:
 
     @property
     def named_method(self) -> str:
-        """The title of the method where it says more than the task's, and may be said."""
-        return "" if self.method_title == self.title else self.method_title
+        """The title of the method where it says more than that of the part, and may be said."""
+        method = self.method_title
+        return "" if self.title == method or self.title.endswith((f": {method}", f", {method}")) else method
 
     @property
     def anchor(self) -> str:

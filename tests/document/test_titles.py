@@ -4,6 +4,7 @@ from collections import Counter
 
 import pytest
 
+from solver import solve
 from solver.document.model import Presentation
 from solver.document.works import Writer
 from solver.problem.files import load
@@ -96,3 +97,16 @@ def test_titles_are_told_in_the_language_of_the_page():
     find = ["a: stability", "b: {task: stability, system: {A: [[a, b, c], [b, c, a], [c, b, a + 1]]}}"]
     found = titles(find, rest="assume: {a: real, b: real, c: real}\n", language="de")
     assert [title.partition(": ")[2] for title in found] == ["System 1", "System 2"]
+
+
+def test_a_method_in_the_title_is_not_told_again():
+    text = f"""system: {PLANT}
+find:
+  a: {{task: stability, method: eigenvalues}}
+  b: {{task: stability, method: lyapunov}}
+"""
+    first, second = solve(text).parts
+    assert (first.title, first.named_method) == ("Stability: Eigenvalues", "")
+    assert (second.title, second.named_method) == ("Stability: Lyapunov's equation", "")
+    (alone,) = solve(f"system: {PLANT}\nfind: {{a: {{task: stability, method: lyapunov}}}}\n").parts
+    assert (alone.title, alone.named_method) == ("Stability", "Lyapunov's equation")
