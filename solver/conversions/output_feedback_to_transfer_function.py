@@ -70,7 +70,7 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
 @lemma("loop")
 def late_path_of(path: LatePath) -> Derivation[DeadTime]:
     """C G₀ with the dead time of G; raises Unsolved where it is improper."""
-    plant: DeadTime = path.plant  # type: ignore[assignment]
+    plant = path.plant
     G, C, x = plant.rational, path.controller, plant.variable
     (p, q), (c, d) = (G.numerators[0][0], G.denominators[0][0]), polynomials_of(C)
     top, bottom = by_powers(c * p, x), by_powers(d * q, x)

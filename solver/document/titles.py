@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -89,7 +90,7 @@ class _Alike:
     def _sayings(self) -> Iterator[Saying]:
         """Yield what can be said of a part, first what tells most."""
         for name in self._differing():
-            yield lambda part, name=name: self._option(part, name)  # type: ignore[misc]
+            yield partial(self._option, name=name)
         yield self._system
         yield self._parameters
         yield self._kind

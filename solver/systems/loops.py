@@ -71,6 +71,8 @@ class MatrixFeedback(OutputFeedback):
 class LatePath(OutputFeedback):
     """A plant with a dead time behind a controller, no loop round it: C G e^{−Ts}."""
 
+    plant: DeadTime
+
 
 @dataclass(frozen=True)
 class LateLoop(OutputFeedback):

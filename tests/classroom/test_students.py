@@ -1,4 +1,4 @@
-"""What students write, right (+) and wrong (-), by the problem; its truth was found by hand and by numpy.
+"""What students write, right (+) and wrong (-), by the problem; its truth was found by hand.
 
 A file of `students` has problems: "=== name", the problem (or "FILE" and its path), "---", then each answer with what
 was typed for it; answers that belong together stand with "&", their values with "&&".
