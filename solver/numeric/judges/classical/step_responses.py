@@ -69,9 +69,12 @@ class StepResponse:
             return None
         if times[best] == 0:
             return MANY.context.mpf(0), self.away(0)
-        low, high = (float(t) for t in (max(times[times < times[best]]), min(times[times > times[best]])))
-        if self.away(low, 1) <= 0:  # it falls from the start
+        near = len(self.A) + 1  # samples of two modes can be as good as at one place, but not so many
+        before, after = times[times < times[best]][: -near - 1 : -1], times[times > times[best]][:near]
+        low = next((float(t) for t in before if self.away(t, 1) > 0), None)
+        if low is None:  # it falls from the start
             return MANY.context.mpf(0), self.away(0)
+        high = next((float(t) for t in after if self.away(t, 1) < 0), float(after[-1]))
         time = _bracketed(lambda t: self.away(t, 1), low, high)
         return time, self.away(time)
 

@@ -52,6 +52,14 @@ class Locus:
         N = MP.polyval(list(self.numerator), s)
         return -MP.polyval(list(self.denominator), s) / N if N else MP.inf
 
+    def gain_by_factors(self, s: Any) -> Any:
+        """K = −D/N from the roots: near a multiple one, where the sums of D and N have no correct digit left."""
+        D, N = (
+            p[0] * MP.fprod((s - root) ** m for root, m in roots)
+            for p, roots in ((self.denominator, self.poles), (self.numerator, self.zeros))
+        )
+        return -D / N
+
 
 @lru_cache(maxsize=32)
 def locus_of(polynomial: Any, s: Any, k: Any, *, discrete: bool = False) -> Locus:

@@ -190,7 +190,7 @@ def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> 
     for root, m in locus.poles if poles else locus.zeros:
         if MP.im(root) > NEAR:
             near = root + MP.mpf(10) ** -FAR
-            turn = MP.degrees(MP.arg(locus.gain(near)))
+            turn = MP.degrees(MP.arg(locus.gain_by_factors(near)))
             wanted += [((-turn if poles else turn) + 360 * q) / m for q in range(m)]
     found = [number(each) for each in angles]
     if len(found) == 2 * len(wanted):  # those of the mirror images too
