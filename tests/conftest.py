@@ -7,6 +7,7 @@ Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter
 import gc
 import os
 import shutil
+import signal
 from importlib.util import find_spec
 
 import pytest
@@ -15,6 +16,10 @@ from hypothesis import HealthCheck, Phase, settings
 from tests.helpers.tried import ALL
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # tiny matrices are slowed down a hundredfold by threads
+
+# In the background of a shell SIGINT is ignored, and would be by all that tests start.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 gc.set_threshold(100_000, 20, 20)  # collecting tests makes many objects and no garbage: a third faster
 
