@@ -121,9 +121,8 @@ def listed_checks(weights: Weights, answers: Any) -> Iterable[Check]:
         distinct = holds("no solution is listed twice", "numpy", lambda: judges.all_distinct(weights, solutions),
                          "solutions")  # fmt: skip
         yield distinct
-        if weights.A.rows == 1 or not any(M.free_symbols for M in weights):  # others may be real for some values only
-            yield holds("no solution is missing", "invariant subspaces in floats",
-                        lambda: judges.none_missing(weights, solutions), "solutions")  # fmt: skip
+        yield holds("no solution is missing", "invariant subspaces in floats",
+                    lambda: judges.none_missing(weights, solutions), "solutions")  # fmt: skip
     if words is not None:
         yield holds(
             "definiteness of each solution",

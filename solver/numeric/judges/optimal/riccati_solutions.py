@@ -40,10 +40,16 @@ def none_missing(weights: Weights, matrices: Sequence[Any]) -> bool:
     """Whether at admissible values of the parameters as many matrices are real as there are solutions.
 
     With parameters further solutions may be real for some values only: that none is left out at one of several points
-    is enough. Raises NotEvaluable as `number_of_solutions`.
+    is enough. Where some are at each, a single one is too few beside the stabilizing and the antistabilizing one; of
+    more it is not decided from two states on. Raises NotEvaluable then, and as `number_of_solutions`.
     """
     found = optima(weights, matrices, POINTS)
-    return any(_number_at(each) == sum(_is_real(P, each) for P in matrices) for each in found)
+    counts = [_number_at(each) for each in found]
+    if any(count == sum(_is_real(P, each) for P in matrices) for count, each in zip(counts, found, strict=True)):
+        return True
+    if len(matrices) > 1 and weights.A.rows > 1 and any(M.free_symbols for M in weights):
+        raise NotEvaluable("other solutions may be real for some values of the parameters only")
+    return False
 
 
 def _is_real(P: Any, optimum: Optimum) -> bool:
