@@ -119,11 +119,11 @@ def _is_zero_along(x: Any, others: Sequence[Any], gap: Any, point: Point) -> boo
         return True
     roots = [root for root in sp.Poly(p, u).sqf_part().nroots(n=DIGITS, maxsteps=500) if root.is_real]
     told = [root for root in roots if (0 < root < 1 if inside else is_admissible({**point, x: root}))]
-    there = [each.xreplace(moved) for each in others]
-    return all(any(_vanishes(each.xreplace({u: root})) for each in there) for root in told)
+    there = [sp.expand(each.xreplace(moved)) for each in others]
+    return all(any(_vanishes(each, {u: root}) for each in there) for root in told)
 
 
-def _vanishes(value: Any) -> bool:
-    """Whether what remains of an expression at a point is zero beside its terms."""
-    terms = [abs(sp.N(term, DIGITS)) for term in sp.Add.make_args(value)]
-    return bool(abs(sp.N(value, DIGITS)) <= ZERO * (1 + sum(terms)))
+def _vanishes(value: Any, at: Point) -> bool:
+    """Whether an expression, multiplied out, is zero at a point beside its terms there."""
+    terms = [sp.N(term.xreplace(at), DIGITS) for term in sp.Add.make_args(value)]
+    return bool(abs(sum(terms)) <= ZERO * (1 + sum(map(abs, terms))))

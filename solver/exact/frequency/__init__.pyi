@@ -7,6 +7,14 @@ from solver.exact.frequency.crossings import Crossover, GainCrossovers, gain_cro
 from solver.exact.frequency.encirclements import Arc, Encirclements, encirclements
 from solver.exact.frequency.following import phase_crossings
 from solver.exact.frequency.margins import Margins, in_decibels, margins_of, phase_margin_of
+from solver.exact.frequency.parametric_crossings import (
+    ParametricAxis,
+    ParametricCrossing,
+    parametric_axis,
+    parametric_gain_crossovers,
+    parametric_real_axis,
+)
+from solver.exact.frequency.parametric_turns import ParametricTurns, PoleArc, TurnCase, parametric_turns
 from solver.exact.frequency.real_axis import PhaseCrossovers, phase_crossovers
 from solver.exact.frequency.resonance import (
     Bandwidth,
@@ -18,6 +26,7 @@ from solver.exact.frequency.resonance import (
     phase_function,
     resonance,
 )
+from solver.exact.frequency.turned_phase import margin_in_turn
 from solver.exact.frequency.with_parameters import (
     FactorOnAxis,
     ParametricFactors,
@@ -41,22 +50,32 @@ __all__ = [
     "OnAxis",
     "OnCircle",
     "Oscillations",
+    "ParametricAxis",
+    "ParametricCrossing",
     "ParametricFactors",
+    "ParametricTurns",
     "PhaseCrossovers",
+    "PoleArc",
     "Resonance",
     "Sinusoid",
+    "TurnCase",
     "bandwidth",
     "bode_form",
     "decided_sign",
     "encirclements",
     "gain_crossovers",
     "in_decibels",
+    "margin_in_turn",
     "margins_of",
     "on_axis",
     "on_circle",
     "oscillations",
+    "parametric_axis",
     "parametric_bode_form",
     "parametric_factors",
+    "parametric_gain_crossovers",
+    "parametric_real_axis",
+    "parametric_turns",
     "phase_crossings",
     "phase_crossovers",
     "phase_function",

@@ -132,13 +132,13 @@ def _arcs(L: OnAxis, crossings: Iterable[sp.Expr]) -> Iterator[Arc]:
             small = min([small, *(L.distance(r) / 8 for r, _ in L.roots)])
             limit = mpmath.mpf(90) * power - (180 if decimal(c) < 0 else 0)
             after = L.turned(small)
-            yield Arc(sp.S.Zero, -power, _passes(2 * limit - 180 * power - after, after), end=True)
+            yield Arc(sp.S.Zero, -power, half_turn_passes(2 * limit - 180 * power - after, after), end=True)
         for omega, m in poles:
             value = decimal(omega)
             below = max([mpmath.mpf(0), *(each for each in marks if each < value * (1 - TOO_CLOSE))])
             above = min([2 * value, *(each for each in marks if each > value * (1 + TOO_CLOSE))])
             before, after = L.turned((below + value) / 2), L.turned((above + value) / 2)
-            yield Arc(omega, m, 2 * _passes(before, after))
+            yield Arc(omega, m, 2 * half_turn_passes(before, after))
         yield from _last_arc(L, marks)
 
 
@@ -149,10 +149,10 @@ def _last_arc(L: OnAxis, marks: Iterable[Any]) -> Iterator[Arc]:
         last = decimal(L.end.omega)
         before = L.turned((max([mpmath.mpf(0), *marks]) + last) / 2)
         limit = L.turned(last)
-        yield Arc(L.end.omega, m, _passes(before, 2 * limit - 180 * m - before), end=True)
+        yield Arc(L.end.omega, m, half_turn_passes(before, 2 * limit - 180 * m - before), end=True)
 
 
-def _passes(start: Any, stop: Any) -> int:
+def half_turn_passes(start: Any, stop: Any) -> int:
     """How often an angle that goes from one to another, in degrees, passes 180°: clockwise positive."""
     sign, low, high = (1, stop, start) if stop <= start else (-1, start, stop)
     first, last = mpmath.ceil((low - 180) / 360), mpmath.floor((high - 180) / 360)
@@ -170,4 +170,4 @@ def _closing(L: OnAxis) -> int:
     return -int(sp.sign(slope.LC()))
 
 
-__all__ = ["Arc", "Encirclements", "encirclements"]
+__all__ = ["Arc", "Encirclements", "encirclements", "half_turn_passes"]

@@ -12,7 +12,7 @@ import sympy as sp
 
 from solver.exact.frequency.bode_forms import PER_POWER, BodeForm, Corner
 from solver.exact.linear_algebra.fields import NotExact
-from solver.exact.stability.inequalities import sign_of
+from solver.exact.stability.inequalities import sign_of, signed_factors
 
 
 @dataclass(frozen=True)
@@ -110,8 +110,16 @@ def decided_sign(x: sp.Expr) -> int:
     """The sign of x for all values of the parameters; raises NotExact where it is not the same for all, or zero."""
     found = sign_of(x)
     if not found:
-        raise NotExact("frequency/sign_not_known", what=x)
+        raise NotExact("frequency/sign_not_known", what=_undecided(x))
     return found
+
+
+def _undecided(x: sp.Expr) -> sp.Expr:
+    """The factors of x whose sign is not known, as polynomials; x itself where there are none."""
+    if not x.is_rational_function():
+        return x
+    factors = [factor for factor, exponent in signed_factors(x) if exponent % 2 and sign_of(factor) is None]
+    return sp.Mul(*factors) if factors else x
 
 
 def _lowest(coefficients: Sequence[sp.Expr]) -> sp.Expr:

@@ -9,10 +9,14 @@ from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, G
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import frequency as judges
-from solver.tasks.frequency.boundary import needs_a_sampling_period, numbers_of, on_boundary, poles_in_numbers
+from solver.tasks.frequency.boundary import needs_a_sampling_period, on_boundary
 from solver.tasks.frequency.crossovers import formula_of, on_axis_of, real_axis_of
 from solver.tasks.frequency.figures import nyquist_figures
+from solver.tasks.frequency.lettered_loops import at_values, holds_where_the_poles_say, where_it_is_wrong
+from solver.tasks.frequency.parametric_crossovers import has_letters
+from solver.tasks.frequency.parametric_nyquist import turns_with_letters
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.criterion import has_numbers, has_parameters
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -29,14 +33,19 @@ nyquist: Task[OpenLoop, LoopOptions] = Task(
     options=LoopOptions,
     example={"transfer_function": "10/(s(s + 1)(s + 5))"},
     answers=[
-        AnswerName("encirclements", "N", "the turns about −1, clockwise positive", count=True, earned=("turns",)),
+        AnswerName("encirclements", "N", "the turns about −1, clockwise positive", count=True, optional=True,
+                   principal=has_numbers, earned=("turns",)),
         AnswerName("open_loop_unstable_poles", "P", "the poles of L in the right half plane (discrete: outside the "
-                   "unit circle)", count=True, earned=("path",)),
+                   "unit circle)", count=True, principal=True, earned=("path", "poles")),
         AnswerName("closed_loop_unstable_poles", "Z", "the poles of the closed loop in the right half plane (discrete: "
-                   "outside the unit circle)", count=True, earned=("count",)),
-        AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", earned=("count",)),
+                   "outside the unit circle)", count=True, optional=True, principal=has_numbers, earned=("count",)),
+        AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", optional=True,
+                   principal=has_numbers, earned=("count",)),
+        AnswerName("condition", r"\text{condition}", "where the closed loop is stable, with parameters", optional=True,
+                   principal=has_parameters, earned=("turns", "count")),
         AnswerName("real_axis_crossings", r"L(j\omega_{i})", "the values of L where it is real, 0 < ω < ∞ (discrete: "
-                   "to π/T); with a dead time the first ones, all others are smaller", earned=("real_axis",)),
+                   "to π/T); with a dead time the first ones, all others are smaller", principal=True,
+                   earned=("real_axis",)),
     ],
 )  # fmt: skip
 
@@ -53,6 +62,8 @@ OPEN_LOOP = Slip("open_loop", "that is said of L; the closed loop is asked for")
 def by_turns(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
     """The turns are counted where the curve crosses the real axis left of −1, with the half turns at infinity."""
     loop = given.system
+    if has_letters(loop):
+        return (yield from turns_with_letters(loop))
     N, D, s = loop.numerator, loop.denominator, loop.variable
     L = on_boundary(loop)
     if not L.late and sp.degree(sp.expand(N + D), s) < sp.degree(D, s):
@@ -130,29 +141,35 @@ ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
     "encirclements", "open_loop_unstable_poles", "closed_loop_unstable_poles", "stable", "real_axis_crossings"
 )
 def are_counted_by_numbers(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
-    """Poles by numpy and mpmath, turns by the change of the argument of 1 + L, crossings by samples."""
+    """Poles by numpy and mpmath, turns by the change of the argument of 1 + L, crossings by samples.
+
+    With parameters at some of their values.
+    """
     loop, where = given.system, "outside the unit circle" if given.system.discrete else "in the right half plane"
+    points = list(at_values(loop, answers))
     if "open_loop_unstable_poles" in answers:
-        P, _ = judges.roots_outside(sp.Poly(loop.denominator, loop.variable).all_coeffs(), discrete=loop.discrete)
-        yield Check.that(Phrase("poles of $L$ {where}", where=where), "mpmath.polyroots",
-                         bool(answers["open_loop_unstable_poles"] == P), answer="open_loop_unstable_poles")  # fmt: skip
-    if "closed_loop_unstable_poles" in answers or "stable" in answers:
-        Z, on = poles_in_numbers(loop)
-        oracle = "mpmath.polyroots" if loop.delay == 0 else "numpy, the argument principle on a contour"
-        if "closed_loop_unstable_poles" in answers:
-            holds = bool(answers["closed_loop_unstable_poles"] == Z)
-            yield Check.that(Phrase("poles of the loop {where}", where=where), oracle, holds,
-                             answer="closed_loop_unstable_poles")  # fmt: skip
-        if "stable" in answers:
-            yield Check.that(Phrase("no pole {where} or on its edge", where=where), oracle,
-                             bool(answers["stable"]) == (not Z and not on), answer="stable")  # fmt: skip
+        fits = all(at.open_loop_poles() == own["open_loop_unstable_poles"] for at, own in points)
+        yield Check.that(Phrase("poles of $L$ {where}", where=where), "mpmath.polyroots", fits,
+                         answer="open_loop_unstable_poles")  # fmt: skip
+    oracle = "mpmath.polyroots" if loop.delay == 0 else "numpy, the argument principle on a contour"
+    if "closed_loop_unstable_poles" in answers:
+        fits = all(at.closed_loop_poles()[0] == own["closed_loop_unstable_poles"] for at, own in points)
+        yield Check.that(Phrase("poles of the loop {where}", where=where), oracle, fits,
+                         answer="closed_loop_unstable_poles")  # fmt: skip
+    if "stable" in answers:
+        fits = all(bool(own["stable"]) == (not any(at.closed_loop_poles())) for at, own in points)
+        yield Check.that(Phrase("no pole {where} or on its edge", where=where), oracle, fits, answer="stable")
     if "encirclements" in answers:
-        turns = judges.turns_about(numbers_of(loop))
+        fits = all(own["encirclements"] == judges.turns_about(at.numbers) for at, own in points)
         yield Check.that("the change of the argument of $1 + L$ along the path", "numpy, samples of the contour",
-                         bool(answers["encirclements"] == turns), answer="encirclements")  # fmt: skip
+                         fits, answer="encirclements")  # fmt: skip
     if "real_axis_crossings" in answers:
-        residual = judges.crossing_residual(numbers_of(loop), answers["real_axis_crossings"])
+        residual = max(judges.crossing_residual(at.numbers, own["real_axis_crossings"]) for at, own in points)
         yield Check.within("all real values of $L$ on the path", ORACLE, residual, 1e-12, answer="real_axis_crossings")
+
+
+nyquist.verification("condition")(holds_where_the_poles_say)
+nyquist.meaning("condition")(where_it_is_wrong)
 
 
 @nyquist.consequence("closed_loop_unstable_poles", of=("encirclements", "open_loop_unstable_poles"), symbolic=False)

@@ -10,11 +10,15 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import frequency as judges
 from solver.tasks.frequency import margin_mistakes
-from solver.tasks.frequency.boundary import needs_a_sampling_period, numbers_of, on_boundary, poles_in_numbers
+from solver.tasks.frequency.boundary import needs_a_sampling_period, on_boundary
 from solver.tasks.frequency.closed_loop import is_stable
 from solver.tasks.frequency.crossovers import crossovers_of
 from solver.tasks.frequency.figures import bode_figure
+from solver.tasks.frequency.lettered_loops import at_values, holds_where_the_poles_say, where_it_is_wrong
+from solver.tasks.frequency.parametric_crossovers import has_letters
+from solver.tasks.frequency.parametric_margins import margins_with_letters
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.criterion import has_numbers, has_parameters
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -30,16 +34,20 @@ stability_margins: Task[OpenLoop, LoopOptions] = Task(
     example={"transfer_function": "10/(s(s + 1)(s + 5))"},
     answers=[
         AnswerName("gain_crossover", r"\omega_{g}", "the gain crossover, where |L| = 1 (oo: there is none)",
-                   unit="rad/s", infinite=True, earned=("gain_crossovers",)),
+                   unit="rad/s", infinite=True, optional=True, principal=has_numbers, earned=("gain_crossovers",)),
         AnswerName("phase_crossover", r"\omega_{\varphi}", "the phase crossover, where ∠L = −180° (oo: there is none)",
-                   unit="rad/s", infinite=True, earned=("phase_crossovers", "late_crossovers")),
+                   unit="rad/s", infinite=True, optional=True, principal=has_numbers,
+                   earned=("phase_crossovers", "late_crossovers")),
         AnswerName("gain_margin", r"G_{m}", "the gain margin 1/|L| there, a ratio (oo: none)", unit="ratio",
-                   infinite=True, earned=("gain_margin",)),
+                   infinite=True, optional=True, principal=has_numbers, earned=("gain_margin",)),
         AnswerName("gain_margin_db", r"G_{m,\text{dB}}", "the gain margin in decibels", unit="dB", infinite=True,
-                   earned=("gain_margin",)),
+                   optional=True, principal=has_numbers, earned=("gain_margin",)),
         AnswerName("phase_margin", r"\varphi_{m}", "the phase margin 180° + ∠L at the gain crossover, in degrees",
-                   free=True, unit="°", infinite=True, earned=("phase",)),
-        AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", earned=("verdict", "counted")),
+                   free=True, unit="°", infinite=True, optional=True, principal=has_numbers, earned=("phase",)),
+        AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", optional=True,
+                   principal=has_numbers, earned=("verdict", "counted")),
+        AnswerName("condition", r"\text{condition}", "where the closed loop is stable, with parameters", optional=True,
+                   principal=has_parameters, earned=("array", "condition")),
     ],
 )  # fmt: skip
 
@@ -51,6 +59,8 @@ stability_margins.refusal(needs_a_sampling_period)
 def on_the_axis(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
     """|L(jω)| = 1 and Im L(jω) = 0 are solved for ω (at e^{jωT} of a discrete loop), the margins read off there."""
     loop = given.system
+    if has_letters(loop):
+        return (yield from margins_with_letters(loop))
     L = on_boundary(loop)
     found = yield from crossovers_of(L)
     stable = yield from is_stable(loop)
@@ -116,27 +126,32 @@ NAMES = {
 @stability_margins.verification("gain_crossover", "phase_crossover", "gain_margin", "gain_margin_db", "phase_margin")
 def are_those_of_the_values(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """All crossovers are found anew in numbers; phase margins are judged up to full turns."""
-    wanted = judges.numeric_margins(numbers_of(given.system))
+    points = [(judges.numeric_margins(at.numbers), own) for at, own in at_values(given.system, answers)]
     for name, (place, of, label) in NAMES.items():
         if name in answers:
-            known = [pair[place] for pair in getattr(wanted, of)]
-            yield Check.within(
-                label, ORACLE, judges.margin_residual(answers[name], known, name), TOLERANCE, answer=name
+            residual = max(
+                judges.margin_residual(own[name], [pair[place] for pair in getattr(wanted, of)], name)
+                for wanted, own in points
             )
+            yield Check.within(label, ORACLE, residual, TOLERANCE, answer=name)
 
 
 @stability_margins.verification("stable")
 def is_told_by_the_poles(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """The poles of the loop in numbers; with a dead time their number by the argument principle."""
     loop = given.system
-    outside, on = poles_in_numbers(loop)
     label = (
         "no pole of the closed loop outside or on the unit circle"
         if loop.discrete
         else "no pole of the closed loop in the right half plane or on the axis"
     )
     oracle = "numpy, the argument principle on a contour" if loop.delay != 0 else "mpmath.polyroots"
-    yield Check.that(label, oracle, bool(answers["stable"]) == (not outside and not on))
+    fits = all(bool(own["stable"]) == (not any(at.closed_loop_poles())) for at, own in at_values(loop, answers))
+    yield Check.that(label, oracle, fits)
+
+
+stability_margins.verification("condition")(holds_where_the_poles_say)
+stability_margins.meaning("condition")(where_it_is_wrong)
 
 
 @stability_margins.consequence("gain_margin_db", of=("gain_margin",))

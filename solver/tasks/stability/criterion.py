@@ -105,8 +105,13 @@ def condition_of(
 
 def companion(p: Polynomial) -> ImmutableMatrix:
     """A matrix whose eigenvalues are the roots, for the oracles."""
-    n = p.degree
-    last = [-c / p.coefficients[0] for c in reversed(p.coefficients[1:])]
+    return companion_of(p.coefficients)
+
+
+def companion_of(coefficients: Sequence[Expr]) -> ImmutableMatrix:
+    """The same of coefficients, highest power first."""
+    n = len(coefficients) - 1
+    last = [-c / coefficients[0] for c in reversed(coefficients[1:])]
     return sp.ImmutableMatrix([[int(j == i + 1) for j in range(n)] for i in range(n - 1)] + [last])
 
 
