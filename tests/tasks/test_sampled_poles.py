@@ -86,6 +86,15 @@ def test_random_poles_are_where_numpy_puts_them(sigma, omega, real, tenths, A):
     assert np.allclose(poles_of(result.answers["closed_loop_A"]), mapped(poles, period), atol=1e-6)
 
 
+def test_a_response_that_would_fill_pages_is_not_written_out():
+    """With powers of e in three states: nobody could read it, and it took a minute to find."""
+    three = system([[0, 0, 1], [1, 0, 0], [0, 1, 0]], discrete=True, B=[1, 0, 2])
+    for plant, poles in ((PLANT, PAIR), (three, (*PAIR, sp.Integer(0)))):
+        result = ask("pole_placement", plant, s_poles=poles, sample_time=T)
+        assert result.status is Status.VERIFIED
+        assert ("response" in [step.kind for step in result.steps]) == (plant is PLANT)
+
+
 FILE = "system: {{A: [[1, 1], [0, 1]], B: [[1/2], [1]], C: [[1, 0]]{more}}}\nfind:\n  a: {{task: {task}, {options}}}\n"
 
 
