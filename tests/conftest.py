@@ -20,12 +20,22 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # tiny matrices are slowed d
 # In the background of a shell SIGINT is ignored, and would be by all that tests start.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # the many processes that tests start would each compile all files
 
 gc.set_threshold(100_000, 20, 20)  # collecting tests makes many objects and no garbage: a third faster
 
 IN_CI = os.environ.get("CI") == "true"
 
-every = settings(deadline=None, derandomize=IN_CI, suppress_health_check=[HealthCheck.too_slow], max_examples=ALL)
+UNTRACED = [each for each in Phase if each is not Phase.explain]
+"""To explain a failure every line is traced: a smaller example is then sought for minutes."""
+
+every = settings(
+    deadline=None,
+    derandomize=IN_CI,
+    suppress_health_check=[HealthCheck.too_slow],
+    max_examples=ALL,
+    phases=UNTRACED,
+)
 fast = settings(every, max_examples=ALL // 4)
 settings.register_profile("all", every)
 settings.register_profile("third", settings(every, max_examples=ALL // 3))
