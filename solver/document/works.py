@@ -15,6 +15,7 @@ from solver.derivation import Answers, PartResult, Status, Step, Unsolved
 from solver.derivation.figures import Drawing, Figure
 from solver.displayed import judged
 from solver.document.checks import Say, check_rows, unchecked, worded_check
+from solver.document.compact import compact
 from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of
@@ -127,7 +128,7 @@ class Writer:
             earning = key_of(worded, answers, task.answers, wording)
             worded, derived = earning.steps, earning.derived
         shown = tuple(self._step(each, wording.say, result.steps) for each in worded)
-        return Work(
+        work = Work(
             id=result.id,
             task=result.task,
             method=result.method,
@@ -154,6 +155,7 @@ class Writer:
             functions=tuple(functions_of(result)) if told.data else (),
             label=labels[result.id] if labels[result.id] != result.id else "",
         )
+        return compact(work) if key else work
 
     def _with_cases(self, work: Work, result: PartResult, part: Part, earlier: Earlier) -> Work:
         """Return the work with the special values of parameters for which the question is to be solved anew."""

@@ -40,9 +40,11 @@ def _part(document: Document, part: Work) -> Iterator[str]:
     if not part.again:
         yield _harmless(part.question)
         yield part.given
-    if part.method_title and (part.named_method or part.source):
+    if part.named_method:
         source = f" ({plain(part.source)})" if part.source else ""
-        yield f"*{say('Method:')} {plain(part.method_title)}*{source}"
+        yield f"*{say('Method:')} {plain(part.named_method)}*{source}"
+    elif part.source:
+        yield f"*{plain(part.source)}*"
     if part.status is Status.FAILED and not paper:
         yield f"> **{say('Do not rely on this answer:')}** {part.reason}."
     yield from _steps(part.steps, "###", say)

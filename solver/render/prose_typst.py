@@ -75,6 +75,11 @@ def display_typst(formula: str, *, framed: bool = False) -> str:
     )
 
 
+def heard_and_set(formula: str) -> str:
+    """Return what is read aloud of a formula, and it as large as on a line of its own: two arguments of a function."""
+    return f"{heard(_words(formula))}, ${typst(read(formula))}$"
+
+
 def inline_formula(formula: str) -> str:
     """Return a formula within a line; one that is not of our dialect as the text it is."""
     if find_problem(formula) is not None:

@@ -21,7 +21,7 @@ from solver.derivation.figures import Drawing
 from solver.formula.typst import PRELUDE
 from solver.messages import Messages
 from solver.render import pictures, pointing
-from solver.render.prose_typst import display_typst, inline_formula, inline_typst, to_typst
+from solver.render.prose_typst import display_typst, heard_and_set, inline_formula, inline_typst, to_typst
 from solver.render.typst_text import heard, quoted
 from solver.words import Phrase
 
@@ -79,6 +79,7 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         prose=to_typst,
         short=inline_formula,
         boxed=lambda formula: display_typst(formula, framed=True),
+        heard_and_set=heard_and_set,
         figure=_figure,
         referring=_pointed(pointing.referring),
         picturing=_pointed(pointing.picturing),

@@ -59,8 +59,15 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
             r"left eigenvectors, $wA = \lambda w$ (or chains), as rows in the same order: $MA = JM$",
             free=True,
             vectors="rows",
+            principal=True,
         ),
-        AnswerName("jordan_form", "J", "the Jordan form, $AV = VJ$, with its ones above the diagonal", modal=True),
+        AnswerName(
+            "jordan_form",
+            "J",
+            "the Jordan form, $AV = VJ$, with its ones above the diagonal",
+            modal=True,
+            principal=True,
+        ),
         AnswerName("diagonalizable", r"\text{diagonalizable}", "whether $A$ has $n$ independent eigenvectors"),
     ],
 )
