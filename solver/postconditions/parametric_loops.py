@@ -13,6 +13,7 @@ from solver.numeric.judges import frequency as judges
 from solver.stated.algebra import quotient
 
 NEAR = 1e-12
+BESIDE = sp.Rational(1, 1000)
 ORACLE = "numpy.roots, refined"
 
 
@@ -71,6 +72,19 @@ def of_margin_in_turn(found: Any, L: Any, omega: Any) -> Iterator[Check]:
         margin = found.xreplace(values)
         fits = judges.has_phase(loop, omega.xreplace(values), margin - 180)
         yield Check.that("the phase there", "mpmath", fits and -180 < judges.decimal(margin) <= 180)
+
+
+def of_late_gains(found: Any, numerator: Any, denominator: Any, s: Any, delay: Any) -> Iterator[Check]:
+    """On both sides of each critical gain the loop has the poles that are counted, and is stable as is said."""
+    K, before = found.gain, found.small
+    for each in found.critical:
+        for poles, side in ((before, 1 - BESIDE), (before + each.poles, 1 + BESIDE)):
+            at = sp.Rational(str(sp.N(each.gain * side, 20)))
+            Z, _ = judges.closed_loop_poles(numerator.xreplace({K: at}), denominator, s, delay)
+            yield Check.that("poles of the loop", "numpy, the argument principle on a contour", poles == Z)
+            holds = found.condition.xreplace({K: at}) == sp.true
+            yield Check.that("one case holds", "compared", holds == (not Z))
+        before += each.poles
 
 
 def _at_values(N: Any, D: Any, s: Any, *further: Any) -> Iterator[tuple[dict[Any, Any], judges.NumericLoop]]:

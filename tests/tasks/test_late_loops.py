@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 
 import pytest
 import sympy as sp
 
-from solver.derivation import Status
+from solver.derivation import CheckStatus, Status
+from solver.lazy import Call, exact
+from solver.postconditions import check_calls
 from solver.systems import DeadTime, OpenLoop, TransferFunction
 from tests.helpers.asking import ask, rejected
 
@@ -66,6 +69,50 @@ def test_errors_with_letters_without_feedback():
     result = error(positive / (s + positive), T, reference=t, feedback=None)
     assert result.status is Status.VERIFIED
     assert sp.cancel(result.answers["error"] - (T + 1 / positive)) == 0
+
+
+GAIN, FALLING = sp.Symbol("K", positive=True), sp.Symbol("K", negative=True)
+
+
+@pytest.mark.parametrize(
+    ("G", "delay", "options", "wanted", "low", "high"),
+    [
+        (GAIN / s, 1, {"reference": t}, 1 / GAIN, 0, math.pi / 2),
+        (GAIN * LAG, 1, {}, 1 / (1 + GAIN), 0, 2.26182633411465),  # tan ω = −ω, K² = 1 + ω²
+        (FALLING * LAG, 1, {}, 1 / (1 + FALLING), -1, 0),
+        (GAIN / (s - 1), sp.Rational(1, 2), {}, 1 / (1 - GAIN), 1, 2.53655898923060),  # tan(ω/2) = ω
+    ],
+)
+def test_errors_of_late_loops_with_a_gain(G, delay, options, wanted, low, high):
+    result = error(G, delay, **options)
+    assert result.status is Status.VERIFIED
+    assert sp.cancel(result.answers["error"] - wanted) == 0
+    condition = next(step for step in result.steps if step.kind == "for_gains").values["found"].condition
+    (K,) = G.free_symbols - {s}
+    edges = [(low, high - low, (-0.01, 0.01)), (high, high - low, (0.01, -0.01))]
+    for edge, width, (outside, inside) in edges:
+        if edge:
+            assert condition.subs(K, edge + inside * width) == sp.true
+            assert condition.subs(K, edge + outside * width) == sp.false
+
+
+def test_a_late_loop_that_no_gain_makes_stable_says_so():
+    result = error(GAIN * (s + 2) / (s**2 + 1), 3)
+    assert result.status is Status.UNSOLVED
+    assert result.reason.kind == "loops/unstable_late"
+    assert error(sp.Symbol("K", real=True) * LAG).reason.kind == "frequency/sign_not_known"
+    assert error(GAIN / (s + T)).reason.kind == "frequency/parameters"
+
+
+def test_what_must_hold_of_gains_of_late_loops():
+    arguments = (GAIN, s + 1, s, ONE)
+    found = exact.late_gains(*arguments)
+    less = replace(found, critical=(replace(found.critical[0], poles=1),))
+    for wrong in (None, replace(found, small=1), replace(found, condition=GAIN < 3), replace(found, condition=GAIN < 2),
+                  less):  # fmt: skip
+        calls = [Call("late_gains", arguments, {}, wrong or found, 1)]
+        failed = CheckStatus.FAILED in {check.status for check in check_calls(calls, [])}
+        assert failed == (wrong is not None)
 
 
 def test_an_unstable_late_loop_has_no_error():

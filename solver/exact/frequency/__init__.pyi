@@ -6,6 +6,7 @@ from solver.exact.frequency.circle import OnCircle, on_circle
 from solver.exact.frequency.crossings import Crossover, GainCrossovers, gain_crossovers
 from solver.exact.frequency.encirclements import Arc, Encirclements, encirclements
 from solver.exact.frequency.following import phase_crossings
+from solver.exact.frequency.late_gains import CriticalGain, LateGains, late_gains
 from solver.exact.frequency.margins import Margins, in_decibels, margins_of, phase_margin_of
 from solver.exact.frequency.parametric_crossings import (
     ParametricAxis,
@@ -42,10 +43,12 @@ __all__ = [
     "Bandwidth",
     "BodeForm",
     "Corner",
+    "CriticalGain",
     "Crossover",
     "Encirclements",
     "FactorOnAxis",
     "GainCrossovers",
+    "LateGains",
     "Margins",
     "OnAxis",
     "OnCircle",
@@ -65,6 +68,7 @@ __all__ = [
     "encirclements",
     "gain_crossovers",
     "in_decibels",
+    "late_gains",
     "margin_in_turn",
     "margins_of",
     "on_axis",

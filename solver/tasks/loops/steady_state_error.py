@@ -29,7 +29,7 @@ from solver.tasks.loops import error_mistakes
 from solver.tasks.loops.error_constants import CONSTANTS, DISCRETE_LIMITS, LIMITS, constants_of, limit_stated
 from solver.tasks.loops.error_signals import Acting, acting_on, needs_the_sample_time
 from solver.tasks.loops.error_transforms import limit_of, shares_of
-from solver.tasks.loops.late_loops import image_of, long_run_of, stable_late_loop
+from solver.tasks.loops.late_loops import image_of, is_stable_at, long_run_of, stable_late_loop
 from solver.tasks.loops.loop_stability import Inside, stable_loop
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Phrase
@@ -182,8 +182,9 @@ def is_what_remains(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> I
     def loops() -> Any:
         factors = (loop.C, loop.G, loop.H)
         return judges.stable_loops(
-            factors, s, [*signals, error], closed=loop.closed, discrete=discrete, delay=loop.delay
-        )
+            factors, s, [*signals, error], closed=loop.closed, discrete=discrete, delay=loop.delay,
+            late_stable=lambda point: is_stable_at(loop, point),
+        )  # fmt: skip
 
     for oracle, residual, tolerance in judges.error_judges(discrete=discrete, late=loop.delay != 0):
         check = partial(residual, loops, signals, s, acting.time, error)
@@ -210,7 +211,10 @@ def are_limits(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterab
     def wrong_side(sign: int) -> float:
         factors = (loop.C, loop.G, loop.H)
         signals = [acting.r, acting.d]
-        found = judges.stable_loops(factors, s, signals, closed=loop.closed, discrete=loop.discrete, delay=loop.delay)
+        found = judges.stable_loops(
+            factors, s, signals, closed=loop.closed, discrete=loop.discrete, delay=loop.delay,
+            late_stable=lambda point: is_stable_at(loop, point),
+        )  # fmt: skip
         return judges.sign_residual(found, s, sign)
 
     for n, name in enumerate(CONSTANTS):

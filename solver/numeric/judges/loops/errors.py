@@ -112,11 +112,18 @@ def _times(*factors: Array) -> Array:
 
 
 def stable_loops(
-    factors: Sequence[Any], s: Any, others: Any, *, closed: bool, discrete: bool = False, delay: Any = sp.S.Zero
+    factors: Sequence[Any],
+    s: Any,
+    others: Any,
+    *,
+    closed: bool,
+    discrete: bool = False,
+    delay: Any = sp.S.Zero,
+    late_stable: Callable[[Point], bool] = lambda _: True,
 ) -> list[tuple[Point, LoopInNumbers]]:
     """Return the loop in numbers at some values of the parameters for which it is stable; raises NotEvaluable.
 
-    With a dead time in a closed loop it is taken as it is.
+    With a dead time in a closed loop `late_stable` says whether it is.
     """
     symbols = free_symbols([*factors, *others, delay]) - {s}
     found = []
@@ -124,7 +131,7 @@ def stable_loops(
         C, G, H = (_quotient(each, s, point) for each in factors)
         (late,) = numbers_at([delay], point)
         loop = LoopInNumbers(C, G, H, tuple(factors), closed, discrete, float(complex(late).real))
-        if loop.slowest > 0 or (closed and loop.delay):
+        if late_stable(point) if closed and loop.delay else loop.slowest > 0:
             found.append((point, loop))
         if len(found) == (POINTS if symbols else 1):
             return found
