@@ -41,6 +41,11 @@ def phase(value: Any) -> Stated:
     return Stated("phase", (value,))
 
 
+def arctangent(value: Any) -> Stated:
+    """arctan x of a real scalar in degrees, −90° < arctan x < 90°; its value is the number of degrees."""
+    return Stated("arctangent", (value,))
+
+
 def norm(value: Any, kind: NormKind = "2") -> Stated:
     """‖x‖ of a vector or matrix: its largest gain from vector norm to vector norm (1, 2, ∞), or Frobenius' norm."""
     return Stated("norm", (value, kind))
@@ -57,6 +62,7 @@ operation(real_part)(_before(r"\operatorname{Re}"))
 operation(imaginary_part)(_before(r"\operatorname{Im}"))
 operation(argument)(_before(r"\operatorname{arg}"))
 operation(phase)(_before(r"\angle"))
+operation(arctangent)(_before(r"\arctan"))
 
 
 @operation(conjugate)

@@ -24,6 +24,7 @@ POLYNOMIALS = {
     "range": s**3 + 3 * s**2 + K * s + 6,
     "always": s**2 + (K**2 + 1) * s + 1,
     "never": s**2 + K,
+    "vanishing": s**4 + s**3 + 2 * s**2 + 2 * s + K - 1,
     "contradiction": s**2 + K * s - K,
 }
 SYMMETRIC = "zero_row moved on_axis mirrored quartic double integrator"
@@ -55,14 +56,15 @@ OF_BOTH = {
     "**asymptotically stable**": "stable negated always",
     "**not asymptotically stable**": f"first_order two_right zero_pivot {SYMMETRIC}",
     "if and only if": "lead_unknown range contradiction",
-    "A zero stands where a positive number must stand": "never",
+    "A zero stands where a positive number must stand": "never vanishing",
     "This holds for all values": "always",
     "These cannot hold together": "contradiction",
     "Together, without what the others imply": "lead_unknown range",
     "1 > 0": "",
 }
 OF_THE_ARRAY = {
-    "A zero in the first column": "zero_pivot quartic moved",
+    "A zero in the first column": "zero_pivot quartic moved vanishing",
+    "(unless $K = 1$: then it is a row of zeros": "vanishing",
     r"(for a small $\epsilon > 0$": "zero_pivot quartic moved",
     "A row of zeros": "zero_row on_axis mirrored quartic double integrator never",
     "There are no changes of sign": "stable on_axis double integrator negated always",

@@ -13,7 +13,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, quotient, total
 from solver.stated.calculus import value_at
-from solver.stated.complex_numbers import absolute, conjugate, phase
+from solver.stated.complex_numbers import absolute, arctangent, conjugate, phase
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -169,7 +169,7 @@ def angle_rows(L: exact.OnAxis, omega: Expr) -> Iterator[dict[str, Any]]:
         stated: Any = degrees
         if not degrees.is_Rational and a != 0:
             turn = 0 if a > 0 else 180 if b >= 0 else -180
-            stated = product(quotient(sp.Integer(180), sp.pi), sp.atan(b / a, evaluate=False))
+            stated = arctangent(b / a)
             stated = total(sp.Integer(turn), stated) if turn else stated
         yield {"factor": each.factor, "power": each.power, "value": a + sp.I * b, "stated": stated, "degrees": degrees}
 

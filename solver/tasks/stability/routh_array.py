@@ -110,7 +110,8 @@ def _rows(array: exact.RouthArray, x: Symbol) -> Derivation[None]:
             yield Step("row", detail="tutor", claims=claims, power=_written_power(x, row.power), entries=row.computed)
         if row.special == "pivot":
             yield Step("zero_pivot", detail="full", unclaimed="ε takes the place of zero by definition", row=row,
-                       power=_written_power(x, row.power), epsilon=array.epsilon)  # fmt: skip
+                       power=_written_power(x, row.power), epsilon=array.epsilon,
+                       vanishes=_where_all_zero(row.computed))  # fmt: skip
         elif row.special == "zeros":
             yield _auxiliary(row, x)
 
@@ -123,6 +124,23 @@ def _entries(above: Sequence[Expr], row: Sequence[Expr], computed: Sequence[Expr
         stated: Any = quotient(difference(product(row[0], a), product(above[0], r)), row[0])
         claims[f"entry{j}"] = Claim(stated, entry, Phrase("entry {j} of the row", j=j))
     return claims
+
+
+def _where_all_zero(row: Sequence[Expr]) -> list[tuple[Expr, Expr]]:
+    """The equations that say of a row with parameters that it is all zero, each by its sides; none if it never is."""
+    entries = [entry for entry in row if entry != 0]
+    if any(entry.is_nonzero or not entry.free_symbols for entry in entries):
+        return []
+    return [_solved(entry) for entry in entries]
+
+
+def _solved(entry: Expr) -> tuple[Expr, Expr]:
+    """The sides of x = value, where the entry is linear in its only parameter, else of entry = 0."""
+    (x, *others) = entry.free_symbols
+    p = entry.as_poly(x)
+    if others or p is None or p.degree() != 1:
+        return entry, sp.S.Zero
+    return x, -p.nth(0) / p.nth(1)
 
 
 def _auxiliary(row: exact.RouthRow, x: Symbol) -> Step:

@@ -3,7 +3,16 @@
 import sympy as sp
 
 from solver.stated.algebra import quotient
-from solver.stated.complex_numbers import absolute, argument, conjugate, imaginary_part, norm, phase, real_part
+from solver.stated.complex_numbers import (
+    absolute,
+    arctangent,
+    argument,
+    conjugate,
+    imaginary_part,
+    norm,
+    phase,
+    real_part,
+)
 from tests.stated.values import M, a, m, s
 
 RIGHT = [
@@ -18,6 +27,8 @@ RIGHT = [
     (argument(-2), sp.pi),
     (phase(quotient(1, 1 + sp.I * sp.sqrt(3))), -60),
     (phase(quotient(1, -1 + sp.I)), -135),
+    (arctangent(-sp.sqrt(3)), -60),
+    (arctangent(quotient(a, 1)), 180 * sp.atan(a) / sp.pi),
     (norm(sp.Matrix([3, 4 * sp.I])), 5),
     (norm(sp.Matrix([[3, a]])), sp.sqrt(9 + a**2)),
     (norm(M), sp.sqrt(15 + sp.sqrt(221))),
@@ -36,6 +47,7 @@ PRINTED = [
     (absolute(s + 1), r"\left|s + 1\right|"),
     (argument(s), r"\operatorname{arg}(s)"),
     (phase(s), r"\angle(s)"),
+    (arctangent(2), r"\arctan(2)"),
     (norm(M), rf"\left\|{m}\right\|"),
     (norm(M, "1"), rf"\left\|{m}\right\|_{{1}}"),
     (norm(M, "oo"), rf"\left\|{m}\right\|_{{\infty}}"),
