@@ -130,9 +130,9 @@ def test_an_unknown_name_of_the_package_is_an_attribute_error():
 def test_answers_are_marked(answers, limits):
     marked = solver.check(TEXT, answers, **limits)
     assert marked.parts["b"].answers["eigenvalues"].verdict == "correct"
-    assert (marked.marks, marked.out_of) == (sp.Rational(1, 2), 2)
+    assert (marked.marks, marked.out_of) == (sp.Rational(1, 4), 2)
     assert marked.data() == json.loads(marked.json())
-    assert repr(marked) == "<marked answers: 0.5 of 2>"
+    assert repr(marked) == "<marked answers: 0.25 of 2>"
 
 
 def test_a_marking_has_the_sheet_with_answers_and_solution_on_request(tmp_path):

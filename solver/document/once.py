@@ -46,10 +46,11 @@ def told_once(parts: Sequence[Work], say: Say) -> tuple[Work, ...]:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where something stands in full: the part and the number of its step there."""
+    """Where something stands in full: the part, the number of its step there, and those of the substeps down to it."""
 
     part: Work
     number: int
+    below: tuple[int, ...] = ()
 
 
 @dataclass
@@ -153,14 +154,17 @@ class _Page:
         return _key(step) in self.steps
 
     def _referring(self, part: Work, run: Sequence[WorkStep], rest: Sequence[WorkStep]) -> WorkStep:
-        """Return one step for several that stand above: where they do, and the result that the rest goes on with."""
+        """Return one step for several that stand above: where they do, and the results that the rest goes on with.
+
+        It is titled by the first and the last of them.
+        """
         results = results_of(run)
         value = value_of(results[-1]) if results else ""
         goes_on = rest or not part.found
         told_next = len(value) >= LEAST_REPEATED and any(value in each.markdown for each in rest[:1])
         return WorkStep(
             run[-1].kind,
-            run[-1].title,
+            " … ".join(dict.fromkeys(run[i].title for i in (0, -1))),
             to_go_on_with(results) if goes_on and not told_next else "",
             covers=tuple(number for step in run for number in step.covers),
             refers=tuple(self._references(part, [self.steps[_key(step)] for step in run])),
@@ -174,35 +178,39 @@ class _Page:
             numbers = sorted(place.number for place in places if place.part is there)
             yield self._reference(part, there, numbers, named=several)
 
-    def _reference(self, part: Work, there: Work, numbers: Sequence[int], *, named: bool = False) -> Reference:
-        """Return a reference from a part to steps there; its own name is left out unless it is to be `named`."""
+    def _reference(
+        self, part: Work, there: Work, numbers: Sequence[int], *, named: bool = False, below: Sequence[int] = ()
+    ) -> Reference:
+        """Return a reference to steps there, or `below` one; the part's own name is left out unless it is `named`."""
         places = [f"({plain(there.letter)})"] if named or there.id != part.id else []
         if there.case and there.anchor != part.anchor:
             places.append(Phrase("the case {case}", case=f"`{there.case}`"))
         if there.id in self.several and there.anchor != part.anchor:
             places.append(Phrase("“{method}”", method=plain(there.method_title)))
         if numbers:
-            places.append(Phrase("steps {numbers}" if numbers[1:] else "step {numbers}", numbers=_listed(numbers)))
+            listed = ".".join([_listed(numbers), *map(str, below)])
+            places.append(Phrase("steps {numbers}" if numbers[1:] else "step {numbers}", numbers=listed))
         return Reference(there.anchor, tuple(numbers), ", ".join(map(self.say, places)))
 
-    def _shortened(self, step: WorkStep, place: _Place) -> WorkStep:
+    def _shortened(self, step: WorkStep, place: _Place, path: tuple[int, ...] = ()) -> WorkStep:
         """Return a step without what stands above of its explanations, its substeps and its figures."""
         drawn = [figure for figure in step.figures if self.figures.setdefault(repr(figure), place) == place]
         above = [self.figures[repr(figure)] for figure in step.figures if figure not in drawn]
         return replace(
             step,
             markdown=self._unrepeated(step, place),
-            steps=tuple(self._below(each, place) for each in step.steps),
+            steps=tuple(self._below(each, place, (*path, i)) for i, each in enumerate(step.steps, 1)),
             figures=tuple(drawn),
             pictured=tuple(self._reference(place.part, each.part, [each.number]) for each in above),
         )
 
-    def _below(self, step: WorkStep, place: _Place) -> WorkStep:
+    def _below(self, step: WorkStep, place: _Place, path: tuple[int, ...]) -> WorkStep:
         """Return a substep, or where it stands above."""
-        above = self.substeps.setdefault(_key(step), place)
-        if above == place or _length(step) < LEAST_SAVED:
-            return self._shortened(step, place)
-        return WorkStep(step.kind, step.title, "", refers=(self._reference(place.part, above.part, [above.number]),))
+        above = self.substeps.setdefault(_key(step), replace(place, below=path))
+        if replace(above, below=()) == place or _length(step) < LEAST_SAVED:
+            return self._shortened(step, place, path)
+        refers = self._reference(place.part, above.part, [above.number], below=above.below)
+        return WorkStep(step.kind, step.title, "", refers=(refers,))
 
     def _unrepeated(self, step: WorkStep, place: _Place) -> str:
         """Return the text of a step without what stands in one of its kind above, and note what does not.

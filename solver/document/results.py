@@ -22,13 +22,17 @@ _LINES = re.compile(r"\\left\[\\begin\{array\}\{[c|]+\}(.*?)\\end\{array\}\\righ
 
 
 def results_of(run: Sequence[WorkStep]) -> list[str]:
-    """Return the last display of the steps with those beside it, each on lines of its own; else of those below.
+    """Return the last displays of the last step that has one and of all of its kind, each on lines of its own.
 
-    A formula on one line of the text is a law, and no result to go on with.
+    Where there are none, it is the last of those below. A formula on one line of the text is a law, and no result to
+    go on with.
     """
-    own = [found for step in run if (found := at_the_end(step.markdown.split("\n\n")))]
+    own = [(step.kind, found) for step in run if (found := at_the_end(step.markdown.split("\n\n")))]
+    if own:
+        last, _ = own[-1]
+        return list(dict.fromkeys(display for kind, found in own if kind == last for display in found))
     below = [found for step in run for each in step.walk() if (found := at_the_end(each.markdown.split("\n\n")))]
-    return (own or below or [[]])[-1]
+    return (below or [[]])[-1]
 
 
 def at_the_end(blocks: Sequence[str]) -> list[str]:

@@ -76,9 +76,9 @@ def _appendix(document: Document, parts: Iterable[Work]) -> Iterator[str]:
         yield _table(part.rows, say)
 
 
-def _steps(steps: Iterable[WorkStep], level: str, say: Say) -> Iterator[str]:
+def _steps(steps: Iterable[WorkStep], level: str, say: Say, prefix: str = "") -> Iterator[str]:
     for number, step in enumerate(steps, 1):
-        yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
+        yield f"{level} {prefix}{number}{'' if prefix else '.'} {step.title}"
         if step.refers:
             yield referring(step, say)
         yield unlinked(step.markdown)
@@ -88,7 +88,7 @@ def _steps(steps: Iterable[WorkStep], level: str, say: Say) -> Iterator[str]:
             yield f"*{say('Figure:')}* {_harmless(figure.caption)}"
             if figure.alt:
                 yield plain(figure.alt)
-        yield from _steps(step.steps, level + "#" if len(level) < 6 else level, say)
+        yield from _steps(step.steps, level + "#" if len(level) < 6 else level, say, f"{prefix}{number}.")
 
 
 def _table(rows: Iterable[CheckRow], say: Say) -> str:

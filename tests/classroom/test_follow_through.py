@@ -30,7 +30,10 @@ def test_every_later_part_is_followed():
             True,
             "right with your own K of part a",
         )
-    assert [found[part].marks for part in "bc"] == [1, 2]  # the eigenvectors of b were not submitted
+    assert [found[part].marks for part in "bc"] == [
+        0.5,
+        2,
+    ]  # the eigenvectors and the Jordan form of b were not submitted
 
 
 def test_two_own_answers_are_followed_together():

@@ -245,7 +245,7 @@ def test_a_later_part_is_followed_through_with_the_students_own_gain():
     found = marked(PLANT, "answers: {b: {K: [10, 5]}, c: {eigenvalues: ['-3/2 ± j sqrt(31)/2']}}")
     right = found["c"].answers["eigenvalues"]
     assert (right.verdict, right.follows, right.note) == ("correct", True, "right with your own K of part b")
-    assert found["c"].marks == 1  # the eigenvectors, asked for too, were not submitted
+    assert found["c"].marks == 0.5  # the eigenvectors and the Jordan form, asked for too, were not submitted
 
 
 def test_an_earlier_answer_that_makes_the_later_question_trivial_is_not_followed():

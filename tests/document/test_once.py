@@ -1,6 +1,7 @@
 """What stands above on a page is referred to, and nothing is lost: references lead to what is told in full."""
 
 import json
+import re
 from dataclasses import replace
 
 import pytest
@@ -17,6 +18,7 @@ from solver.render.markdown import markdown_of
 from solver.render.page import render_page
 from solver.render.pointing import referring
 from solver.render.terminal import text_document
+from solver.render.typst_document import typst_document
 
 REASON = "The matrix is formed as the definition says, row by row, and every entry is found from the one before it."
 INTRODUCED = "It is multiplied out and sorted by powers of the variable:"
@@ -75,7 +77,8 @@ def test_no_step_is_lost_and_references_lead_to_steps_in_full(pages):
             assert set(targets) <= set(full)
             if one.refers:
                 assert {full[target].kind for target in targets} == set(told)
-                assert one.title == before.steps[one.covers[-1] - 1].title
+                first, last = (before.steps[one.covers[i] - 1].title for i in (0, -1))
+                assert one.title == (first if first == last else f"{first} … {last}")
             else:
                 assert told == [one.kind]
     assert shown == once(*works)
@@ -93,7 +96,7 @@ def test_a_run_of_steps_becomes_one_that_goes_on_with_its_last_results():
     first, second = once(work("a", *map(step, "abc")), work("b", *map(step, "abcd")))
     assert [one.refers for one in first.steps] == [(), (), ()]
     referring, last = second.steps
-    assert referring.title == "Title of c"
+    assert referring.title == "Title of a … Title of c"
     assert referring.markdown == "\n\n".join((display("c = 1"), display("c + 1 = 2")))
     assert [(there.numbers, there.place) for there in referring.refers] == [((1, 2, 3), "(a), steps 1–3")]
     assert last.title == "Title of d"
@@ -183,7 +186,25 @@ def test_a_figure_and_a_substep_stand_once():
     assert second.steps[0].figures == ()
     assert [there.place for there in second.steps[0].pictured] == ["(a), step 1"]
     assert first.steps[0].steps[0].markdown == below.markdown
-    assert [there.place for there in second.steps[0].steps[0].refers] == ["(a), step 1"]
+    assert [there.place for there in second.steps[0].steps[0].refers] == ["(a), step 1.1"]
+
+
+def test_a_reference_names_the_substep_and_formats_number_it():
+    inner = step("inner")
+    steps = [step(name, steps=(step(f"first {name}"), step(f"outer {name}", steps=(inner,)))) for name in "ab"]
+    shown = once(work("a", step("x"), steps[0]), work("b", steps[1]))
+    (there,) = shown[1].steps[0].steps[1].steps[0].refers
+    assert (there.place, there.anchor) == ("(a), step 2.2.1", "part-a-one-step-2")
+    page = Document("T", "", "", "", shown, Presentation())
+    for write in (markdown_of, latex_document, typst_document, text_document):
+        assert re.search(r"2\.2\.1\W+(enspace )?(h\(0\.5em\)#\W)?Title of inner", write(page)), write
+    assert '<span class="number">2.2.1</span> Title of inner' in render_page(page)
+
+
+def test_a_run_goes_on_with_the_results_of_all_its_steps_of_the_last_kind():
+    pairs = [replace(step(f"root{i}", REASON, display(f"x_{i} = {i}")), kind="root") for i in (1, 2)]
+    _, second = once(work("a", step("p"), *pairs, step("y")), work("b", step("p"), *pairs, step("z")))
+    assert second.steps[0].markdown == "\n\n".join((display("x_1 = 1"), display("x_2 = 2")))
 
 
 def test_what_was_found_on_the_way_is_pointed_at_and_what_is_asked_is_boxed():

@@ -93,6 +93,7 @@ def critical_eigenvalues(A: ImmutableMatrix, found: exact.Location, *, discrete:
             value=space.root.value,
             pencil=pencil,
             vectors=vectors,
+            columns=[vectors[:, [i]] for i in range(vectors.cols)],
             algebraic=space.algebraic,
             geometric=space.geometric,
             rank=A.rows - space.geometric,

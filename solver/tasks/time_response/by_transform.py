@@ -67,6 +67,7 @@ def zero_state_by_transform(asked: Question, piece: exact.Piece) -> Derivation[N
             exact.resolvent(asked.system.A, s), asked.system.B, entry_or_column(sp.ImmutableMatrix(U / carried))
         ),
         delay=piece.delay,
+        U=entry_or_column(sp.ImmutableMatrix(U)),
         whole=sp.ImmutableMatrix(s * column),
     )
     yield from transformed_back(asked, image, column, ZERO_STATE, piece.delay)
