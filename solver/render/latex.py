@@ -21,7 +21,7 @@ from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
 from solver.render.programs import program_formula
 from solver.render.symbols import named
-from solver.render.terms import Term, common_fraction, evaluated, join_roots, like_terms_added, split
+from solver.render.terms import Term, common_fraction, evaluated, join_roots, like_terms_added, multiplied_in, split
 from solver.stated import Stated, operation_named
 
 REMEMBERED = 20_000
@@ -73,7 +73,8 @@ class Printer(ObjectPrinter):
         return summed([self._print(term) for term in ordered_terms(expr.args)])
 
     def _print_Mul(self, expr: Any) -> Row:
-        return self._term(split(expr))
+        whole = multiplied_in(expr) if self.numbers.all_decimal else None
+        return self._print(whole) if whole is not None else self._term(split(expr))
 
     def _print_Pow(self, expr: Any) -> Row:
         return self._term(split(expr))

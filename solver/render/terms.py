@@ -164,14 +164,41 @@ def _join(term: Term, index: int, groups: Sequence[list[Factor]], roots: Sequenc
 def like_terms_added(terms: list[Any]) -> list[Any]:
     """Add the constants of terms that differ in these only: e^t/2 + √5 e^t has one coefficient in decimals.
 
-    Coefficients with roots become Floats, so that their sign is known when the terms are put in order.
+    Coefficients with roots become Floats, so that their sign is known when the terms are put in order. Constants in
+    exponents are no difference: e^t + e^{t + 2} is 8.3891 e^t; where nothing is added they stay, as in e^{−(t − 2)}.
     """
-    constants: dict[Any, list[Any]] = {}
+    alike: dict[Any, list[tuple[Any, Any, Any]]] = {}
     for term in terms:
         constant, rest = term.as_independent(*term.free_symbols, as_Add=False)
-        constants.setdefault(rest, []).append(constant)
-    added = ((sp.Add(*each), rest) for rest, each in constants.items())
+        shift, plain = _without_shift(rest)
+        alike.setdefault(plain, []).append((constant, rest, sp.exp(shift)))
+    added: list[tuple[Any, Any]] = []
+    for plain, found in alike.items():
+        if len({rest for _, rest, _ in found}) == 1:
+            added.append((sp.Add(*(constant for constant, _, _ in found)), found[0][1]))
+        else:
+            added.append((sp.Add(*(constant * growth for constant, _, growth in found)), plain))
     return [(constant if constant.is_Rational else evaluated(constant)) * rest for constant, rest in added]
+
+
+def _without_shift(rest: Any) -> tuple[Any, Any]:
+    """The real c of a factor e^{c + …} and the product without e^c; zero and the product itself where there is none."""
+    for factor in rest.atoms(sp.exp) if rest.has(sp.exp) else ():
+        exponent = factor.args[0]
+        shift, varying = exponent.as_independent(*exponent.free_symbols, as_Add=True)
+        if varying != 0 and shift != 0 and shift.is_real and factor in sp.Mul.make_args(rest):
+            others = (each for each in sp.Mul.make_args(rest) if each != factor)
+            return shift, sp.Mul(sp.exp(varying), *others)
+    return sp.S.Zero, rest
+
+
+def multiplied_in(product: Any) -> Any | None:
+    """A number times a sum as one sum, where fewer terms are left when those that are alike are added; else None."""
+    number, rest = product.as_independent(*product.free_symbols, as_Add=False)
+    if not rest.is_Add or not rest.has(sp.exp):
+        return None
+    added = like_terms_added([number * term for term in rest.args])
+    return sp.Add(*added) if len(added) < len(rest.args) else None
 
 
 def evaluated(constant: Any) -> Any:
