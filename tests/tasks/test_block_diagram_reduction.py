@@ -54,6 +54,23 @@ TEXTBOOK = [
 ]
 
 
+LOOP = graph(("r", "a", G1), ("a", "b", G2), ("b", "a", H1), ("b", "y", G3), ("y", "y", H2))
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    ("system", "above", "below"),
+    [
+        (LOOP, G1 * G2 * G3, 1 - G2 * H1 - H2 + G2 * H1 * H2),
+        (FORWARD, G1 * G2 + G2 * G3 + G4, 1 + G1 * G2 * H1),
+    ],
+)
+def test_the_transfer_function_has_the_signs_of_the_determinant(system, above, below, method):
+    result = ask("block_diagram_reduction", system, method)
+    found = sp.fraction(result.answers["G"])
+    assert found == (above, sp.expand(below))
+
+
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize(("system", "wanted", "counts"), TEXTBOOK)
 def test_results_of_the_textbooks(system, wanted, counts, method):

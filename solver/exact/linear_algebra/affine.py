@@ -18,7 +18,7 @@ def tidy(value: sp.Expr) -> sp.Expr:
     """
     if value.has(sp.Float) or (_grows(value) and not _has_sum_below(value)):
         return sp.expand(value)
-    return _minus_taken_in(collected(value))
+    return minus_taken_in(collected(value))
 
 
 def _has_sum_below(value: sp.Expr) -> bool:
@@ -41,7 +41,7 @@ def multiplied_out(value: sp.Expr, x: sp.Symbol | None = None) -> sp.Expr:
     return tidy(value) if below else expanded
 
 
-def _minus_taken_in(value: sp.Expr) -> sp.Expr:
+def minus_taken_in(value: sp.Expr) -> sp.Expr:
     """(2b − a)/c in place of −(a − 2b)/c: the minus before a product goes into a sum with terms of both signs."""
     number, rest = value.as_coeff_Mul()
     if not number.is_negative or rest.is_Add:

@@ -12,7 +12,9 @@ from typing import Any
 
 import sympy as sp
 
+from solver.exact.linear_algebra.affine import minus_taken_in
 from solver.exact.linear_algebra.fields import NotExact, expressions, side_by_side
+from solver.symbols import POLYNOMIAL
 
 Edge = tuple[str, str, sp.Expr]
 MOST_LOOPS = 60
@@ -118,7 +120,10 @@ def mason(edges: Sequence[Edge], start: str, end: str) -> Mason:
 
 
 def transfer_form(F: sp.Expr) -> sp.Expr:
-    """A rational function in lowest terms, above in factors, below multiplied out, monic where that is shorter."""
+    """A rational function in lowest terms, above in factors, below multiplied out, monic where that is shorter.
+
+    A number in the denominator is positive, as the one of Δ = 1 − L₁ − … is.
+    """
     above, below = sp.fraction(sp.cancel(sp.together(F)))
     below = sp.expand(below)
     if len(below.free_symbols) == 1:
@@ -126,7 +131,9 @@ def transfer_form(F: sp.Expr) -> sp.Expr:
         monic = [c / p.LC() for c in p.all_coeffs()]
         if len("".join(map(str, monic[1:]))) < len("".join(map(str, p.all_coeffs()))):
             above, below = above / p.LC(), sp.expand(below / p.LC())
-    found: sp.Expr = sp.factor(above) / below
+    if below.as_coeff_Add()[0].is_negative and not any(each.name in POLYNOMIAL for each in below.free_symbols):
+        above, below = -above, sp.expand(-below)
+    found: sp.Expr = minus_taken_in(sp.factor(above)) / below
     return found
 
 
