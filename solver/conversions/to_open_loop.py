@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.conversions.forward_path import by_powers, polynomials_of
@@ -36,6 +37,9 @@ def open_loop_of(loop: OutputFeedback) -> Derivation[OpenLoop]:
     factor = sp.exp(-delay * x)
     yield Step("open_loop", claims={"L": claim}, x=x, C=C, G=G, H=H, delay=delay, factor=factor)
     rational = transfer_system(plant, sp.ImmutableMatrix([[sp.cancel(top / bottom)]]), ((top,),), ((bottom,),))
+    if plant.written is not None:
+        above, below = plant.written
+        rational = replace(rational, written=(c * above * h, d * below * k))
     return OpenLoop(loop.plant, rational, delay, C, G, H, closed=loop.feedback is not None)
 
 

@@ -12,13 +12,15 @@ import sympy as sp
 class Rational:
     """A quotient of polynomials in one variable, as given and cancelled; `text` is how it was given.
 
-    `delay` is the T of a factor e^{−T s} beside it.
+    `delay` is the T of a factor e^{−T s} beside it. `written` is numerator and denominator with the factors in which
+    they were given, None where they are what is multiplied out.
     """
 
     numerator: sp.Poly
     denominator: sp.Poly
     text: str
     delay: sp.Expr = sp.S.Zero
+    written: tuple[sp.Expr, sp.Expr] | None = None
 
     def cancelled(self) -> sp.Expr:
         """Return the quotient without common factors."""

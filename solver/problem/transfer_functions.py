@@ -74,7 +74,15 @@ def _from_expression(node: Node, lexicon: Lexicon, variable: str, discrete: bool
         p, q = sp.fraction(sp.together(p / q))
     if not (p.is_polynomial(x) and q.is_polynomial(x)):
         raise node.fault(f"a quotient of polynomials in {variable} is expected here")
-    return Rational(*_pair(sp.expand(p), sp.expand(q), x, node), scalar(node).text, delay)
+    return Rational(*_pair(sp.expand(p), sp.expand(q), x, node), scalar(node).text, delay, _in_factors(p, q, x))
+
+
+def _in_factors(p: sp.Expr, q: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """Return p and q if one of them is a product or a power of sums in x, and no sum holds such a product."""
+    factors = [factor.base if factor.is_Pow else factor for side in (p, q) for factor in sp.Mul.make_args(side)]
+    sums = [factor for factor in factors if factor.is_Add and factor.has(x)]
+    products = any(side.is_Mul or side.is_Pow for side in (p, q) if any(each.has(x) for each in side.atoms(sp.Add)))
+    return (p, q) if products and all(each == sp.expand(each) for each in sums) else None
 
 
 def _pair(p: sp.Expr, q: sp.Expr, x: sp.Symbol, node: Node) -> tuple[sp.Poly, sp.Poly]:
@@ -127,7 +135,9 @@ def _from_zeros(node: MappingNode, lexicon: Lexicon, variable: str) -> Rational:
         gain = lexicon.expression(node["gain"]) if "gain" in node else gain
     report.conclude()
     x = sp.Symbol(variable)
-    p = sp.expand(sp.Mul(gain, *(sp.expand(x - zero) for zero in roots["zeros"])))
-    q = sp.expand(sp.Mul(*(sp.expand(x - pole) for pole in roots["poles"])))
+    above, below = (sp.Mul(*(sp.expand(x - root) for root in roots[key])) for key in ("zeros", "poles"))
+    above = sp.Mul(gain, above)
+    p, q = sp.expand(above), sp.expand(below)
     factors = ["".join(f"*({sp.sstr(x - root)})" for root in roots[key]) for key in ("zeros", "poles")]
-    return Rational(*_pair(p, q, x, node), f"({sp.sstr(gain)}){factors[0]}/(1{factors[1]})")
+    written = None if (above * below).has(sp.I) else _in_factors(above, below, x)
+    return Rational(*_pair(p, q, x, node), f"({sp.sstr(gain)}){factors[0]}/(1{factors[1]})", written=written)

@@ -151,6 +151,10 @@ class Quotient(Protocol):
     def delay(self) -> Expr:
         """The T of a factor e^{−T s} beside the quotient, zero without."""
 
+    @property
+    def written(self) -> tuple[Expr, Expr] | None:
+        """What stands above and below in the factors given, None where they are multiplied out."""
+
     def cancelled(self) -> Expr:
         """Return the quotient without common factors."""
 

@@ -18,7 +18,8 @@ class TransferFunction:
     """G(s) (discrete: G(z)) of p outputs and m inputs: a p×m matrix of rational functions, cancelled, exact.
 
     `numerators` and `denominators` (p×m) are the polynomials as given, multiplied out but not cancelled, the
-    denominators not made monic.
+    denominators not made monic. `written` is what a single one has above and below in the factors that were typed, None
+    where there are none.
     """
 
     matrix: ImmutableMatrix
@@ -29,6 +30,7 @@ class TransferFunction:
     sample_time: Expr | None = None
     input_names: tuple[str, ...] = ()
     output_names: tuple[str, ...] = ()
+    written: tuple[Expr, Expr] | None = None
 
     @property
     def kind(self) -> str:
@@ -221,6 +223,7 @@ def _of(reader: Reader, rows: Sequence[Sequence[Quotient]]) -> TransferFunction:
         sample_time=reader.sample_time,
         input_names=inputs,
         output_names=outputs,
+        written=rows[0][0].written if len(rows) == len(rows[0]) == 1 else None,
     )
 
 

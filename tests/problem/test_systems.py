@@ -171,6 +171,28 @@ def test_a_part_may_have_its_own_system(read):
 
 
 @pytest.mark.parametrize(
+    ("given", "above", "below"),
+    [
+        ("transfer_function: (s + 1)/(s (s + 3)(s^2 + 2s + 2))", s + 1, s * (s + 3) * (s**2 + 2 * s + 2)),
+        ("transfer_function: 1/(s (0.5s + 1))", 1, s * (s / 2 + 1)),
+        ("transfer_function: 5/(s + 1)^2", 5, (s + 1) ** 2),
+        ("transfer_function: {zeros: [-1], poles: [-2, -3], gain: 5}", 5 * (s + 1), (s + 2) * (s + 3)),
+    ],
+)
+def test_factors_stay_as_they_were_given(transfer, given, above, below):
+    found = transfer(given)
+    assert found.written == (above, below)
+    assert found.denominators[0][0] == sp.expand(below)
+
+
+@pytest.mark.parametrize(
+    "given", ["transfer_function: 1/(s^2 + s)", "transfer_function: 1/(s + 1)", "transfer_function: 1/(s(s + 1) + 2)"]
+)
+def test_what_was_given_multiplied_out_has_no_factors(transfer, given):
+    assert transfer(given).written is None
+
+
+@pytest.mark.parametrize(
     ("text", "G"),
     [
         ("transfer_function: 1/s", 1 / s),

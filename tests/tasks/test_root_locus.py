@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -49,6 +51,18 @@ def test_the_classic_locus_of_three_poles():
     assert answers["imaginary_axis_crossings"] == [sp.sqrt(2) * sp.I, -sp.sqrt(2) * sp.I]
     assert answers["critical_gains"] == [6]
     assert answers["departure_angles"] == answers["arrival_angles"] == []
+
+
+def test_factors_that_were_given_are_not_sought():
+    typed = (sp.S.One, s * (s + 1) * (s + 2))
+    told = {}
+    for name, plant in (("given", replace(OGATA, written=typed)), ("found", OGATA)):
+        result = ask("root_locus", plant)
+        assert result.status is Status.VERIFIED
+        (told[name],) = (step for step in result.steps if step.kind == "poles_zeros")
+    assert set(told["found"].claims) == {"D"}
+    assert not told["given"].claims
+    assert told["given"].values["poles"] == told["found"].values["poles"]
 
 
 def test_the_steps_follow_the_rules():

@@ -37,12 +37,13 @@ class Section:
 
 @dataclass(frozen=True)
 class Plant:
-    """G = N/D e^{−delay s}, polynomials in s with numbers."""
+    """G = N/D e^{−delay s}, polynomials in s with numbers; `in_factors` are both as they were given, if in factors."""
 
     numerator: sp.Expr
     denominator: sp.Expr
     s: sp.Symbol
     delay: sp.Expr = sp.S.Zero
+    in_factors: tuple[sp.Expr, sp.Expr] | None = None
 
     @cached_property
     def axis(self) -> OnAxis:

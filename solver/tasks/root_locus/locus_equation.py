@@ -20,7 +20,10 @@ GAIN = "K"
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """N, D in lowest terms, K (a parameter, or the gain before L, `before`), and the polynomial D + K N as given."""
+    """N, D in lowest terms, K (a parameter, or the gain before L, `before`), and the polynomial D + K N as given.
+
+    `in_factors` are N and D as they were given, None where they were not given in factors.
+    """
 
     equation: exact.LocusEquation
     s: Symbol
@@ -30,6 +33,7 @@ class Form:
     polynomial: Expr
     before: bool
     sample_time: Expr | None = None
+    in_factors: tuple[Expr, Expr] | None = None
 
     @property
     def discrete(self) -> bool:
@@ -79,10 +83,11 @@ def locus_equation_of(given: CharacteristicEquation, name: str | None) -> Deriva
         p if loop is None else total(loop.denominator, product(K, loop.numerator) if before else loop.numerator)
     )
     shown = product(K, N)
+    in_factors = loop.rational.written if before and loop is not None else None
     yield Step(
         "gain" if before else "affine",
         claims={"form": Claim(stated, total(D, shown), "the equation of the poles")},
-        K=K, N=N, D=D, L=quotient(N, D), s=s, of_loop=loop is not None,
+        K=K, N=N, D=D, L=quotient(N, D), s=s, of_loop=loop is not None, in_factors=in_factors,
     )  # fmt: skip
     equation = exact.locus_equation(N, D, s, discrete=given.discrete)
     above, below = exact.written(equation.numerator), exact.written(equation.denominator)
@@ -96,7 +101,8 @@ def locus_equation_of(given: CharacteristicEquation, name: str | None) -> Deriva
         yield Step("common", claims=claims, common=common, fixed=fixed, K=K)
         if equation.denominator.degree() == 0:
             raise Unsolved("root_locus/constant", K=K)
-    return Form(equation, s, K, above, below, p, before, given.sample_time)
+        in_factors = None
+    return Form(equation, s, K, above, below, p, before, given.sample_time, in_factors)
 
 
 def _polynomial(coefficients: list[Expr], s: Symbol) -> Expr:

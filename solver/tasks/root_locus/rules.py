@@ -25,10 +25,11 @@ def rules_of(form: Form) -> Derivation[tuple[list[Any], exact.Asymptotes | None]
     equation = form.equation
     poles, zeros = (exact.roots_with_factors(p) for p in (equation.denominator, equation.numerator))
     n, m = equation.denominator.degree(), equation.numerator.degree()
+    given = form.in_factors or (None, None)
     factors = {
         name: Claim(value, product_of, Phrase("the factors of {name}", name=name))
-        for name, value in (("N", form.N), ("D", form.D))
-        if (product_of := factored(value, form.s)) is not None
+        for name, value, typed in (("N", form.N, given[0]), ("D", form.D, given[1]))
+        if not _tells_roots(typed, form.s) and (product_of := factored(value, form.s)) is not None
     }
     trials = tuple(line for each in factors.values() for line in found_by_trial(each.left, each.right, form.s))
     yield Step("poles_zeros", claims=factors, unclaimed="" if factors else "they are read off", steps=trials, K=form.K,
@@ -48,6 +49,14 @@ def rules_of(form: Form) -> Derivation[tuple[list[Any], exact.Asymptotes | None]
     else:
         yield _asymptotes(lines, n - m, (_listed(poles), _listed(zeros)), positive=equation.positive)
     return segments, lines
+
+
+def _tells_roots(typed: Expr | None, s: Symbol) -> bool:
+    """Whether a polynomial was given in factors of which none can be split."""
+    if typed is None:
+        return False
+    bases = [each.base if each.is_Pow else each for each in sp.Mul.make_args(typed)]
+    return all(sp.Poly(each, s).is_irreducible for each in bases if each.has(s))
 
 
 def factored(value: Expr, s: Symbol) -> Expr | None:
