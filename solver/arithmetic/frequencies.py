@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.exactness import where_exact
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.calculus import derivative
@@ -33,8 +34,8 @@ def size_and_angle(
         return ()
     constant, rows = sp.S.One, []
     for p, sign in parts:
-        number, factors = p.factor_list()
-        constant *= number**sign
+        factors = [(exact.shown_factor(factor), times) for factor, times in p.factor_list()[1]]
+        constant *= (p.LC() / sp.Mul(*(factor.LC() ** times for factor, times in factors))) ** sign
         rows += [(factor.as_expr(), sign * times) for factor, times in factors]
     return tuple(_at(constant, rows, s, sp.N(at, DIGITS), (size, angle)))
 

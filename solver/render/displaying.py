@@ -99,8 +99,8 @@ class Displaying:
         return self.eq(prefix, claim.left, claim.right, note=note)
 
     def supposed(self, unknown: Any, value: Any) -> str:
-        """Return x = value for a line of text: a case, which is supposed and not claimed."""
-        return self.recorder.display([], f"${latex(row(self.show(unknown), EQUALS, self.show(value)))}$")
+        """Return x = value for a line of text: a case, which is supposed and not claimed; a text is LaTeX."""
+        return self.recorder.display([], f"${latex(row(self._side(unknown, self.show), EQUALS, self.show(value)))}$")
 
     def stands(self, name: str, value: Any = None) -> str:
         """Note that a name stands for another value from here on; show nothing."""

@@ -131,6 +131,14 @@ def test_a_crossover_is_met(a, b, crossover):
         assert "No lead section is needed" in str(result.reason)
 
 
+def test_the_phase_before_is_the_sum_of_its_angles_and_180_degrees_short_of_the_margin():
+    result = ask("lag_compensator", OGATA_LAG, velocity_constant=sp.Integer(5), phase_margin=sp.Integer(40))
+    (told,) = (step.values for step in result.steps if step.kind == "margins")
+    assert told["margin"] < 0
+    assert told["phase"] == told["margin"] - 180
+    assert told["phase"] == pytest.approx(sp.Add(*(each.power * each.degrees for each in told["angles"])), abs=1e-9)
+
+
 def test_a_lag_section_for_a_crossover_is_told_before_it_is_rounded():
     asked = {"velocity_constant": sp.Integer(5), "phase_margin": sp.Integer(40), "crossover": r(1, 2)}
     result = ask("lag_compensator", OGATA_LAG, **asked)

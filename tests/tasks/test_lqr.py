@@ -409,6 +409,20 @@ def test_singular_solutions_are_judged_by_eigenvalues_that_are_shown():
         assert np.allclose(sorted(float(value) for value in values), found)
 
 
+def test_a_parameter_that_decides_the_signs_of_the_minors_is_kept_in_them():
+    mu = sp.Symbol("mu", positive=True)
+    plant = system([[0, 1], [0, 0]], B=[0, 1])
+    result = ask("lqr", plant, Q=sp.diag(1, mu).as_immutable(), R=ONE)
+    assert result.status is Status.VERIFIED
+    (judged,) = (step for step in result.steps if step.kind == "definiteness")
+    assert judged.values["minors"] == [
+        [(sp.sqrt(mu + 2), 1), (mu + 1, 1)],
+        [(-sp.sqrt(mu + 2), -1), (mu + 1, 1)],
+    ]
+    (others,) = (step for step in result.steps if step.kind == "conditional")
+    assert others.values["first"] == 3
+
+
 @pytest.mark.parametrize(("method", "kind"), [("riccati", "splitting"), ("hamiltonian", "hamiltonian")])
 def test_the_polynomial_of_a_small_hamiltonian_matrix_is_expanded_row_by_row(method, kind):
     """As on paper at `tutor`: the entries of a row times their minors, each minor worked out; verified as claims."""

@@ -27,6 +27,7 @@ from solver.exact.frequency.resonance import (
     phase_function,
     resonance,
 )
+from solver.exact.frequency.shown_factors import shown_factor
 from solver.exact.frequency.turned_phase import margin_in_turn
 from solver.exact.frequency.with_parameters import (
     FactorOnAxis,
@@ -85,5 +86,6 @@ __all__ = [
     "phase_function",
     "phase_margin_of",
     "resonance",
+    "shown_factor",
     "with_corners_in_order",
 ]

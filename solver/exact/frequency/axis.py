@@ -16,6 +16,7 @@ import sympy as sp
 
 from solver.exact.frequency.parts import Parts, parts_by_squares
 from solver.exact.frequency.places import Place, real_roots
+from solver.exact.frequency.shown_factors import shown_factor
 from solver.exact.frequency.surds import WORKING, decimal, ratio_of, root_of, value_of
 from solver.exact.linear_algebra.fields import NotExact, domain_matrix
 from solver.exact.linear_algebra.spectrum import DIGITS
@@ -176,9 +177,8 @@ class OnAxis:
         return [self._angle(factor, power, omega) for factor, power in (*negative, *listed)]
 
     def shown_factor(self, factor: sp.Poly) -> sp.Poly:
-        """A factor of N or D up to a positive or negative number: whole coefficients, the first one positive."""
-        primitive = factor if factor.domain.is_QQ is False else factor.clear_denoms(convert=True)[1]
-        return primitive if primitive.LC() > 0 else -primitive
+        """A factor of N or D up to a positive or negative number, see `shown_factor`."""
+        return shown_factor(factor)
 
     def _angle(self, factor: sp.Expr, power: int, omega: sp.Expr) -> Angle:
         p = sp.Poly(factor, self.variable, extension=True)

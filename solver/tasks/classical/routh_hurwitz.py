@@ -66,7 +66,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             optional=True,
             principal=has_numbers,
             count=True,
-            earned=("array", "sign_changes", "ratios"),
+            earned=("zero_pivot", "zero_row", "array", "sign_changes", "ratios", "verdict"),
         ),
         AnswerName(
             "imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True, count=True

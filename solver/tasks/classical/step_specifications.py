@@ -59,7 +59,8 @@ step_specifications: Task[Plant, StepOptions] = Task(
     options=StepOptions,
     answers=[
         AnswerName(
-            "rise_time", r"\sym{rise_time}", "the rise time", unit="s", principal=True, earned=("samples", "rise")
+            "rise_time", r"\sym{rise_time}", "the rise time", unit="s", principal=True,
+            earned=("standard", "samples", "rise"),
         ),
         AnswerName(
             "peak_time", r"\sym{peak_time}", "the peak time", optional=True, unit="s", principal=True, earned=("peak",)

@@ -29,7 +29,7 @@ def number_first(left: Expr, right: Expr) -> Any:
 def loop_closed_by(
     controller: Fraction, plant: Fraction, s: Symbol, caption: str, before: Fraction | None = None
 ) -> Derivation[exact.ClosedLoop]:
-    """T = C G/(1 + C G) with its poles, and y after a step; `before` is another C G to compare with."""
+    """T = C G/(1 + C G) with its poles, and y after a step; `before` is another C G, stable in a loop too."""
     found = exact.closed_by(controller, plant, s)
     claims = {
         "denominator": Claim(
@@ -58,12 +58,11 @@ def loop_closed_by(
 def step_responses(
     found: exact.ClosedLoop, s: Symbol, caption: str, before: Fraction | None = None
 ) -> tuple[Motion, ...]:
-    """Return y after a step of the reference, beside that of the loop `before` where that is stable too."""
+    """Return y after a step of the reference, beside that of the loop `before`, which is stable too."""
     loops = [(r"y", found.numerator, found.denominator)]
     if before is not None:
         other = exact.closed_by((sp.Integer(1), sp.Integer(1)), before, s)
-        if other.stable:
-            loops.append((r"y_{\text{before}}", other.numerator, other.denominator))
+        loops.append((r"y_{\text{before}}", other.numerator, other.denominator))
     parts = [exact.descending_form(sp.N(top), sp.N(bottom), s) for _, top, bottom in loops]
     A = sp.ImmutableMatrix(sp.diag(*(part[0] for part in parts)))
     if A.rows > LARGEST:

@@ -42,8 +42,9 @@ def checked(
     if before is not None and not _is_met(loop, options):
         raise Unsolved("compensators/not_met", omega=loop.margins.gain_crossover, margin=loop.margins.phase_margin)
     if G.delay == 0:
-        other = None if before is None else (sp.expand(before.K * G.numerator), G.denominator)
-        caption = "After a step of the reference, with the compensator and with its gain alone"
+        other = (sp.expand(before.K * G.numerator), G.denominator) if before is not None and before.stable else None
+        compared = "After a step of the reference, with the compensator and with its gain alone"
+        caption = "After a step of the reference" if other is None else compared
         yield from loop_closed_by((top, bottom), (G.numerator, G.denominator), s, caption, other)
     answers = Answers(
         controller=C,
@@ -104,6 +105,7 @@ def _check(
         unclaimed="" if claims else "there is no crossover",
         steps=() if crossover is None else _at_the_crossover(C * written(G), G.s, crossover),
         crossover=crossover,
+        phase=found.phase_margin - 180,
         margin=found.phase_margin,
         asked=_asked(options) if before is not None else {},
         asked_error=options.error,

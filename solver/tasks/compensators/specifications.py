@@ -76,7 +76,7 @@ def plant_of(G: OpenLoop, options: CompensatorOptions) -> exact.Plant:
         raise Unsolved("compensators/parameters", names=sorted(map(str, free)))
     if G.numerator == 0:
         raise Unsolved("compensators/zero_plant")
-    return exact.Plant(G.numerator, G.denominator, G.variable, G.delay)
+    return exact.Plant(G.numerator, G.denominator, G.variable, G.delay, G.rational.written)
 
 
 def rational_plant_of(G: OpenLoop, options: CompensatorOptions) -> exact.Plant:
@@ -87,8 +87,9 @@ def rational_plant_of(G: OpenLoop, options: CompensatorOptions) -> exact.Plant:
 
 
 def written(G: exact.Plant, factor: Any = None) -> Any:
-    """Return K G as an expression."""
-    found = G.numerator / G.denominator
+    """Return K G as an expression, in the factors in which G was given."""
+    above, below = G.in_factors or (G.numerator, G.denominator)
+    found = above / below
     late = found * sp.exp(-G.delay * G.s) if G.delay != 0 else found
     return late if factor is None else factor * late
 
@@ -126,7 +127,7 @@ def margins_of_the_gain(G: exact.Plant, K: Expr, wanted: Expr) -> Derivation[exa
     claims = {}
     if crossover is not None:
         claims = crossover_claims(written(G, K), G.s, crossover.omega, crossover.phase)
-        claims["sum"] = angles_added(before.axis, crossover.omega, crossover.phase)
+        claims["sum"] = angles_added(before.axis, crossover.omega, before.margins.phase_margin - 180)
     omega, parts = sp.Symbol("omega"), before.axis.parts
     yield Step(
         "margins",
@@ -135,6 +136,8 @@ def margins_of_the_gain(G: exact.Plant, K: Expr, wanted: Expr) -> Derivation[exa
         K=K,
         s=G.s,
         crossover=crossover,
+        phase=before.margins.phase_margin - 180,
+        several=len(before.margins.gains.found) > 1,
         margin=before.margins.phase_margin,
         stable=before.stable,
         wanted=wanted,

@@ -112,7 +112,7 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
     for number, each in enumerate(always, 1):
         yield _solution(problem, equation, each, number, len(always), solved=solved)
     if conditional:
-        yield _conditional(problem, conditional)
+        yield _conditional(problem, conditional, first=len(always) + 1)
     words = [definiteness_of(equation, each) for each in always]
     yield _definiteness(always, words)
     yield _choice(problem, always, words)
@@ -179,9 +179,10 @@ def _loop_worked_out(
     return {"loop": Claim(stated, loop, "matrix of the loop"), **claims}, lines
 
 
-def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution]) -> Step:
+def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], first: int) -> Step:
+    """The solutions that follow those which are always real; `first` is the number of the first one."""
     claims = {f"residual{i}": residual_claim(problem, each.P) for i, each in enumerate(solutions, 1)}
-    return Step("conditional", claims=claims, listed=[(each.P, each.radicand) for each in solutions])
+    return Step("conditional", claims=claims, listed=[(each.P, each.radicand) for each in solutions], first=first)
 
 
 def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) -> str:
@@ -199,21 +200,29 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
     minors: list[list[tuple[Expr, int]]] = []
     claims: dict[str, Claim] = {}
     lines: list[Step] = []
-    if all(each.exact and not each.P.free_symbols for each in solutions):
+    if all(each.exact for each in solutions):
         for number, each in enumerate(solutions, 1):
             minors.append([])
             for k in range(1, each.P.rows + 1):
                 block = sp.ImmutableMatrix(each.P[:k, :k])
                 minor = exact.determinant(block)
-                minors[-1].append((minor, exact.sign_of(minor) or 0))
+                minors[-1].append((minor, _sign(minor)))
                 of_which = f"(P_{{{number}}})" if len(solutions) > 1 else ""
                 lines += worked_out(f"\\Delta_{{{k}}}{of_which}", block, minor)
                 claims[f"minor{k}_{number}"] = Claim(
                     determinant(block), minor, Phrase("leading minor {k} of $P_{{{number}}}$", k=k, number=number)
                 )
-    if not minors or any(each[-1][1] == 0 for each in minors):
+    undecided = any(sign == 0 and minor.free_symbols for listed in minors for minor, sign in listed)
+    if not minors or undecided or any(each[-1][1] == 0 for each in minors):
         return _by_eigenvalues(solutions, words)
     return Step("definiteness", claims=claims, words=words, minors=minors, steps=tuple(lines))
+
+
+def _sign(minor: Expr) -> int:
+    """The sign of a minor; 0 where it is zero, or where the parameters do not decide it."""
+    if not minor.free_symbols:
+        return exact.sign_of(minor) or 0
+    return 1 if minor.is_positive else -1 if minor.is_negative else 0
 
 
 def _by_eigenvalues(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:

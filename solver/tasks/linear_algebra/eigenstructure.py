@@ -52,6 +52,7 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
+            earned=("modal_matrix", "jordan_form"),
         ),
         AnswerName(
             "left_eigenvectors",

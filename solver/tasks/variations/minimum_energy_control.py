@@ -37,7 +37,13 @@ minimum_energy_control: Task[WithInput, EnergyOptions] = Task(
     needs=("A", "B"),
     options=EnergyOptions,
     answers=[
-        AnswerName("u", "u", "the control, in t", principal=True, earned=("stationary", "ends", "weights")),
+        AnswerName(
+            "u",
+            "u",
+            "the control, in t",
+            principal=True,
+            earned=("stationary", "ends", "gramian", "gap", "weights"),
+        ),
         AnswerName("x", "x", "the states, in t"),
         AnswerName("cost", r"J^{*}", "the least cost"),
         AnswerName(
