@@ -31,12 +31,15 @@ def expanded(image: exact.RationalMatrix, x: Symbol) -> tuple[Step, ...]:
 @lemma("arithmetic/fractions")
 def _expanded(image: exact.RationalMatrix, x: Symbol) -> Derivation[None]:
     poles = exact.covered(image, x)
+    names = _names(image, poles, x)
+    if names:
+        yield _form(image, poles, names, x)
     simple = [each for each in poles if each.order == 1 and each.functions[0].has(x)]
     if simple:
-        yield _covered_up(simple, x)
+        yield _covered_up(simple, x, [names[each.pole][0] for each in simple] if names else [])
     for each in poles:
         if each.order > 1 and each.functions[0].has(x):
-            yield _repeated(each, x)
+            yield _repeated(each, x, names[each.pole] if names else [])
     found, several = exact.compared(image, x), exact.at_upper_roots(image, x)
     if found is not None:
         yield _compared(found, x)
@@ -44,6 +47,30 @@ def _expanded(image: exact.RationalMatrix, x: Symbol) -> Derivation[None]:
         yield from (_at_the_upper_root(each, x) for each in several)
     elif len(fractions := exact.fractions_of(image, x)) > 1 and any(each.slope is not None for each in fractions):
         yield _put_together(image, x)
+
+
+def _names(image: exact.RationalMatrix, poles: Sequence[exact.Covered], x: Symbol) -> dict[Any, list[str]]:
+    """The letters c₁, c₂, … of the coefficients of each pole, those of the higher powers first.
+
+    None of a matrix, of one fraction alone, and where numerators over several quadratics would need letters too.
+    """
+    quadratics = {each.base for each in exact.fractions_of(image, x) if each.slope is not None}
+    count = sum(each.order for each in poles)
+    if image.shape != (1, 1) or len(quadratics) > 1 or not poles or count + len(quadratics) < 2:
+        return {}
+    if quadratics and exact.compared(image, x) is None:
+        return {}
+    numbers = iter(range(1, count + 1))
+    return {each.pole: [f"c_{{{next(numbers)}}}" for _ in range(each.order)][::-1] for each in poles}
+
+
+def _form(image: exact.RationalMatrix, poles: Sequence[exact.Covered], names: dict[Any, list[str]], x: Symbol) -> Step:
+    """The sum with letters for the coefficients, which are sought."""
+    terms = [(name, power(x - each.pole, j)) for each in poles for j, name in enumerate(reversed(names[each.pole]), 1)]
+    quadratic = next((each.base for each in exact.fractions_of(image, x) if each.slope is not None), None)
+    return Step("form", detail="tutor", unclaimed="its coefficients are found below", terms=terms, quadratic=quadratic,
+                x=x, simple=any(each.order == 1 for each in poles),
+                repeated=any(each.order > 1 for each in poles))  # fmt: skip
 
 
 def _put_together(image: exact.RationalMatrix, x: Symbol) -> Step:
@@ -54,13 +81,13 @@ def _put_together(image: exact.RationalMatrix, x: Symbol) -> Step:
     return Step("put_together", detail="tutor", claims={"numerator": claim}, x=x)
 
 
-def _covered_up(poles: list[exact.Covered], x: Symbol) -> Step:
+def _covered_up(poles: list[exact.Covered], x: Symbol, names: Sequence[str]) -> Step:
     claims: dict[str, Claim] = {}
     for i, each in enumerate(poles, 1):
         at, numbers = _values(each.functions[0], x, each.pole)
         claims |= _worked_out(str(i), at, numbers, each.coefficients[0])
     absent = any(len(each.functions[0]) > 1 and 0 in each.functions[0].flat() for each in poles)
-    return Step("covered_up", detail="tutor", claims=claims, count=len(poles), absent=absent)
+    return Step("covered_up", detail="tutor", claims=claims, count=len(poles), absent=absent, names=names)
 
 
 def _values(function: ImmutableMatrix, x: Symbol, pole: Any) -> tuple[Any, Any]:
@@ -105,7 +132,7 @@ def _worked_out(number: str, at: Any, numbers: Any, value: ImmutableMatrix) -> d
     return claims if numbers == found else {**claims, f"value{number}": Claim(numbers, found, "worked out")}
 
 
-def _repeated(found: exact.Covered, x: Symbol) -> Step:
+def _repeated(found: exact.Covered, x: Symbol, names: Sequence[str]) -> Step:
     claims: dict[str, Claim] = {}
     for i, (function, value) in enumerate(zip(found.functions, found.coefficients, strict=True)):
         if i:
@@ -126,6 +153,7 @@ def _repeated(found: exact.Covered, x: Symbol) -> Step:
         pole=found.pole,
         factor=power(x - found.pole, found.order),
         order=found.order,
+        names=names,
     )
 
 

@@ -107,12 +107,16 @@ class Displaying:
         return self.recorder.display([Displayed((self.recorder.written(name), value), STANDS)], "")
 
     def align(self, rows: Iterable[Iterable[Any]], *, holds: bool = True) -> str:
-        """Display equations under each other, each given by its sides. Unless they hold, nothing is claimed."""
+        """Display equations under each other, each given by its sides. Unless they hold, nothing is claimed.
+
+        All their signs of equality stand under each other where all have as many sides, else the first ones.
+        """
         chains = [list(row) for row in rows]
+        ragged = len({len(sides) for sides in chains}) > 1
         lines = []
         for first, *others in chains:
-            cells = (row(EQUALS, self._side(side, self.show)) for side in others)
-            lines.append((self._side(first, self.show), *cells))
+            cells = [row(EQUALS, self._side(side, self.show)) for side in others]
+            lines.append((self._side(first, self.show), *([row(*cells)] if ragged else cells)))
         return self._displayed([(sides, "=") for sides in chains if holds], aligned(lines))
 
     def _displayed(self, chains: Iterable[tuple[list[Any], str]], formula: Row) -> str:

@@ -20,7 +20,13 @@ def equations_that_are_zero(expressions: Sequence[Any], show: Show) -> Row:
 
 
 def told_behind(word: str, value: Any, show: Show, *, narrow: bool = False) -> Row:
-    """Return `word: value`; of what is wide, a point value by value, of several each on a line of its own."""
+    """Return `word: value`; of what is wide, a point value by value, of several each on a line of its own.
+
+    Values of unknowns are equations, which need no word before them.
+    """
+    if isinstance(value, Mapping) and value and not any(isinstance(name, str) for name in value):
+        equations = [_named(name, each, show) for name, each in value.items()]
+        return aligned(equations) if len(equations) > 1 else row(*equations[0])
     named = row(Text(f"{word}:"))
     whole = row(named, r"\quad", show(value))
     lines = _lines(value, show, narrow=narrow)

@@ -17,6 +17,13 @@ def test_a_narrow_list_of_points_stays_on_its_line():
     assert "aligned" not in latex(told_behind("points", [{x: a}, {x: b}], formula))
 
 
+def test_values_of_unknowns_are_equations_without_a_word_or_braces():
+    assert latex(told_behind("solution", {x: a}, formula)) == "x = a"
+    assert (
+        latex(told_behind("solution", {x: a, y: b}, formula)) == "\\begin{aligned}\nx &= a \\\\\ny &= b\n\\end{aligned}"
+    )
+
+
 def test_a_wide_point_is_told_value_by_value():
     told = latex(told_behind("points", [{x: LONG, y: LONG + 1}], formula))
     assert told.count("&=") == 2

@@ -206,3 +206,16 @@ def test_usual_mistakes_are_named(F, wrong, says):
     found = verdict(text(F), "a", "f", f'"{wrong}"')
     assert found.verdict == "wrong"
     assert says in str(found.reason)
+
+
+def test_numerators_over_quadratics_are_split_before_the_table_is_read():
+    result = asked("3/(s(s^2 + 2s + 5))")
+    kinds = [step.kind for step in result.steps]
+    assert kinds[0] == "form"
+    assert kinds.index("completed_squares") < kinds.index("table_form") < kinds.index("pairs") < kinds.index("back")
+
+
+def test_pairs_of_fractions_that_are_zero_are_not_told():
+    result = asked("(s^2 + 2s + 3)/(s + 1)^3")
+    (pairs,) = (step for step in result.steps if step.kind == "pairs")
+    assert [claim.right for claim in pairs.claims.values()] == [sp.exp(-T), T**2 * sp.exp(-T) / 2]

@@ -25,6 +25,7 @@ from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import Modulus, collected
 from solver.exact.linear_algebra.radicals import over_root
 from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_factors, is_lower
+from solver.matrices import entries
 from solver.stated import Stated
 
 
@@ -103,13 +104,19 @@ class Denominators:
 
 
 def pairs_for(image: RationalMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> list[tuple[sp.Expr, sp.Expr]]:
-    """Pairs (image, function of time) for partial fractions; in discrete time the images carry the factor z."""
+    """Pairs (image, function of time) for partial fractions; in discrete time the images carry the factor z.
+
+    Those of fractions with the numerator zero are left out.
+    """
     pairs: list[tuple[sp.Expr, sp.Expr]] = []
     for each, highest in image.poles:
         for j in range(1, highest + 1):
             of_factor = _quadratic_pairs if keeps_quadratic(each.factor) else _linear_pairs
             pairs += of_factor(each.factor, j, x, time, discrete=discrete)
-    return pairs
+    terms = [term for each in transformed_fractions(image, x, time, discrete=discrete) for term in each.functions]
+    occurring = {function for function, coefficients in terms if any(entries(coefficients))}
+    used = [(left, function) for left, function in pairs if function in occurring]
+    return used if len(used) == len(occurring) else pairs
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from solver.stated.algebra import product, quotient, total
 from solver.stated.matrices import inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.resolvent import completed_squares_of
+from solver.tasks.linear_algebra.table_form import table_form_of
 from solver.tasks.time_response.question import Question, entry_or_column
 
 if TYPE_CHECKING:
@@ -128,15 +129,17 @@ def transformed_back(
         **names,
         **exact.Denominators.of(image, s).named,
     )
+    function = asked.function(image)
     yield from completed_squares_of(image, s)
+    if single and not discrete:
+        yield from table_form_of(image, shown, s, t, function, discrete=False)
     yield _pairs(asked, image, names)
     invert = inverse_z if discrete else inverse_laplace
-    function = asked.function(image)
     carried = product(s, expansion) if discrete else expansion
     yield Step(
         "transformed_back",
         claims={"x": Claim(invert(carried, s, t), entry_or_column(function), "transformed back, term by term")},
-        steps=term_by_term(image, s, t, function, discrete=discrete),
+        steps=() if single and not discrete else term_by_term(image, s, t, function, discrete=discrete),
         resonant=any(order > 1 and each.factor.multiplicity > 1 for each, order in image.poles),
         direct=None if direct.is_zero_matrix else direct,
         shifted=asked.begun(function, delay),

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.exactness import at_full
 from solver.arithmetic.fractions import expanded
-from solver.arithmetic.transformed import term_by_term
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, quotient, total
 from solver.stated.transforms import inverse_laplace, inverse_z, laplace, z_transform
 from solver.tasks.linear_algebra.resolvent import completed_squares_of
+from solver.tasks.linear_algebra.table_form import table_form_of
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -127,29 +127,36 @@ def partial_fractions_of(image: exact.RationalMatrix, whole: Expr, names: Names)
     """The coefficients one by one, and the sum of partial fractions; returns its terms."""
     s = names.s
     terms = [exact.fraction_of_term(term) for term in image.partial_fractions(s)]
-    if len(terms) == 1 and not exact.divided_again(image, s):
+    if len(terms) == 1 and (exact.is_found_otherwise(image, s) or not exact.divided_again(image, s)):
         yield Step("in_the_table", claims={"F": Claim(whole, terms[0], "a fraction of the table")}, **names.told)
         return terms
-    yield from coefficients_of(image, whole, names)
+    formed = yield from coefficients_of(image, whole, names)
     claim = Claim(whole, total(*terms), "partial fractions")
-    yield Step("partial_fractions", claims={"expansion": claim}, **names.told, **exact.Denominators.of(image, s).named)
+    yield Step("partial_fractions", claims={"expansion": claim}, formed=formed, **names.told,
+               **exact.Denominators.of(image, s).named)  # fmt: skip
     return terms
 
 
 @lemma("back_transform")
-def coefficients_of(image: exact.RationalMatrix, whole: Expr, names: Names) -> Derivation[None]:
-    """Poles covered up, derivatives for repeated ones, numerators over quadratics compared or divided."""
+def coefficients_of(image: exact.RationalMatrix, whole: Expr, names: Names) -> Derivation[bool]:
+    """Poles covered up, derivatives for repeated ones, numerators over quadratics compared or divided.
+
+    Returns whether the form of the sum was told before.
+    """
     s, otherwise = names.s, exact.is_found_otherwise(image, names.s)
-    for step in at_full(expanded, image, s):
+    steps = at_full(expanded, image, s)
+    formed = any(step.kind == "form" for step in steps)
+    for step in steps:
         if otherwise or step.kind != "put_together":
             yield step
     if otherwise:
-        return
+        return formed
     divided = exact.divided_again(image, s)
     if divided is not None:
         yield _divided_again(divided, whole, names)
     else:
         yield _compared(exact.compared_at_all(image, s), names)
+    return formed
 
 
 def _divided_again(found: exact.Divided, whole: Expr, names: Names) -> Step:
@@ -187,17 +194,17 @@ def by_partial_fractions(image: exact.RationalImage, names: Names) -> Derivation
         proper = image.proper
         terms = yield from partial_fractions_of(proper, image.rest(s), names.rest if image.direct else names)
         fractions = sp.Add(*terms)
-        yield from completed_squares_of(proper, s)
-        yield _pairs(proper, names)
         column = proper.function(t, discrete=False).matrix
+        yield from completed_squares_of(proper, s)
+        yield from table_form_of(proper, terms, s, t, column, discrete=False)
+        yield _pairs(proper, names)
         smooth = column[0]
-        steps = term_by_term(proper, s, t, column, discrete=False)
     function = image.function(t)
     claims = {}
     if image.proper is not None:
         claims["f"] = Claim(inverse_laplace(total(*terms), s, t), smooth, "transformed back, term by term")
     yield Step("back", claims=claims, unclaimed="" if claims else "impulses, by definition",
-               steps=steps if claims else (), function=function, smooth=smooth, direct=image.direct,
+               function=function, smooth=smooth, direct=image.direct,
                repeated=image.proper is not None and any(m > 1 for _, m in image.proper.poles),
                **names.told)  # fmt: skip
     return function, sp.Add(image.polynomial(s), fractions)
