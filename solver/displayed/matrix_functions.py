@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.displayed.shapes import known, shape_of
+from solver.displayed.shapes import identity, known, shape_of
 from solver.lazy import numeric
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, total
@@ -98,6 +98,6 @@ def _joined(value: Any, parts: list[Any], M: Any) -> Any:
     if isinstance(value, sp.Mul):
         return product(*parts)
     if isinstance(value, sp.Add):
-        identity = sp.eye(known(shape_of(M))[0]).as_immutable()
-        return total(*(product(each, identity) if isinstance(each, sp.Expr) else each for each in parts))
+        unit = identity(known(shape_of(M))[0])
+        return total(*(product(each, unit) if isinstance(each, sp.Expr) else each for each in parts))
     return exponential(*parts) if isinstance(value, sp.exp) else function_of_matrix(type(value).__name__, parts[0])

@@ -10,7 +10,17 @@ import sympy as sp
 from solver.displayed.matrix_functions import function_of_matrix
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.scalars import FUNCTIONS, plain
-from solver.displayed.shapes import OF_A_MATRIX, SCALAR, Shape, complete, known, of_product, selections, shape_of
+from solver.displayed.shapes import (
+    OF_A_MATRIX,
+    SCALAR,
+    Shape,
+    complete,
+    identity,
+    known,
+    of_product,
+    selections,
+    shape_of,
+)
 from solver.displayed.statements import meaning_in, names_in
 from solver.displayed.tree import Meaning, Unreadable, key_of
 from solver.formula import latex
@@ -102,7 +112,7 @@ class Writer:
     def _name(self, meaning: Meaning, shape: Shape) -> Any:
         value = self.names.value(meaning.text)
         if value is None and meaning.text == "I":
-            return sp.ImmutableMatrix(sp.eye(known(shape)[0]))
+            return identity(known(shape)[0])
         if value is None:
             value = VARIABLES.get(meaning.text)
         if value is None:
@@ -147,7 +157,7 @@ class Writer:
             raise Unreadable("a function of a matrix")
         n = known(shape_of(argument))[0]
         terms = sp.Poly(body, variable).terms()
-        return total(*(product(c, power(argument, i)) if i else c * sp.eye(n).as_immutable() for (i,), c in terms))
+        return total(*(product(c, power(argument, i)) if i else c * identity(n) for (i,), c in terms))
 
     def _sum(self, meaning: Meaning, shape: Shape) -> Any:
         own = self.shape(meaning)
@@ -157,7 +167,7 @@ class Writer:
             negative = part.kind == "minus"
             term = self.formula(part.parts[0] if negative else part, shape)
             if part.kind == "number" and shape not in (None, SCALAR):  # A² + 1 is A² + I
-                term = product(part.text, sp.eye(known(shape)[0]).as_immutable())
+                term = product(part.text, identity(known(shape)[0]))
             if result is None:
                 result = product(-1, term) if negative else term
             else:
@@ -223,7 +233,7 @@ class Writer:
         return inverse_z(self.formula(meaning.parts[0]), VARIABLES["z"], VARIABLES["k"])
 
     def _unit_row(self, _: Meaning, shape: Shape) -> Any:
-        return sp.ImmutableMatrix(sp.eye(known(shape)[1])[-1, :])
+        return identity(known(shape)[1])[-1, :]
 
     def _derivative(self, meaning: Meaning, _: Shape) -> Any:
         name, variable = meaning.parts

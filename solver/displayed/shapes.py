@@ -57,11 +57,17 @@ def complete(sizes: list[int], whole: int) -> None:
         sizes[sizes.index(0)] = whole - sum(sizes)
 
 
+@lru_cache(maxsize=64)  # sI stands in formula after formula
+def identity(n: int) -> Any:
+    """Return the identity with n rows."""
+    return sp.ImmutableMatrix(sp.eye(n))
+
+
 @lru_cache(maxsize=256)
 def selections(sizes: tuple[int, ...]) -> list[Any]:
     """Return the columns of the identity that belong to each of some blocks of rows with these heights."""
-    whole, starts = sp.eye(sum(sizes)), [sum(sizes[:i]) for i in range(len(sizes))]
-    return [sp.ImmutableMatrix(whole[:, start : start + size]) for start, size in zip(starts, sizes, strict=True)]
+    whole, starts = identity(sum(sizes)), [sum(sizes[:i]) for i in range(len(sizes))]
+    return [whole[:, start : start + size] for start, size in zip(starts, sizes, strict=True)]
 
 
 def known(shape: Shape) -> tuple[int, int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 from solver.derivation import Check, CheckStatus
 from solver.document.model import CheckRow, WorkStep
@@ -64,6 +65,7 @@ def unchecked(checks: Iterable[Check], say: Say) -> str:
     return say(Phrase("{count} could not be checked: {reasons}", count=len(reasons), reasons=listed)) if reasons else ""
 
 
+@lru_cache(maxsize=512)  # tolerances are few, and pages number the rows again
 def _short(number: float | None) -> str:
     """Two significant digits are enough for an error."""
     return "" if number is None else NumberFormat("decimal", 2).decimal(number)

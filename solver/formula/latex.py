@@ -27,11 +27,14 @@ from solver.formula.nodes import (
     Text,
     Visitor,
 )
+from solver.formula.reading import note_written
 from solver.formula.signs import is_prefix
 
 
 class LatexWriter(Visitor[str]):
     """Writes a tree; in an index, outside of brackets, no blank stands after a comma."""
+
+    keeps = True  # values stand in several formulas of a page
 
     def __init__(self, index: bool = False) -> None:
         self.after_comma = "" if index else " "
@@ -176,4 +179,7 @@ _WRITER, _IN_INDEX = LatexWriter(), LatexWriter(index=True)
 
 def latex(node: Node) -> str:
     """Return a tree as LaTeX, without dollar signs."""
-    return node.accept(_WRITER)
+    written = node.accept(_WRITER)
+    if isinstance(node, Row):
+        note_written(written, node)
+    return written

@@ -8,8 +8,8 @@ an argument or a script is written in braces, any other node there without: `x_{
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
-from typing import ClassVar, Generic, TypeVar
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Generic, TypeVar
 
 T = TypeVar("T")
 
@@ -89,12 +89,21 @@ class Space(Node):
 
 @dataclass(frozen=True, slots=True)
 class Row(Node):
-    """What stands side by side. A row within a row is a group in braces."""
+    """What stands side by side. A row within a row is a group in braces.
+
+    The formulas of a page share rows: each keeps what those visitors have `made` of it who ask for that.
+    """
 
     items: tuple[Node, ...] = ()
+    made: dict[Any, Any] = field(default_factory=dict, init=False, compare=False, repr=False)
 
     def accept(self, visitor: Visitor[T]) -> T:
-        return visitor.row(self)
+        if not visitor.keeps:
+            return visitor.row(self)
+        found: T | None = self.made.get(visitor)
+        if found is None:
+            found = self.made[visitor] = visitor.row(self)
+        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +206,12 @@ class Styled(Node):
 
 
 class Visitor(ABC, Generic[T]):
-    """Makes something of a tree; one method for each kind of node, so that none can be forgotten."""
+    """Makes something of a tree; one method for each kind of node, so that none can be forgotten.
+
+    Where it `keeps`, a row remembers what it made: it is one of few, and always makes the same.
+    """
+
+    keeps: ClassVar[bool] = False
 
     @abstractmethod
     def number(self, node: Number) -> T: ...

@@ -7,13 +7,23 @@ stop TeX either. Blanks between the pieces of a formula are not kept; a typed Gr
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
+from itertools import accumulate
 
 from solver.formula.nodes import Row
-from solver.formula.reader import MathProblem, Reader
+from solver.formula.reader import DEEPEST, MathProblem, Reader
 
 LONGEST = 50_000
 """Characters of a formula; a 12 × 12 matrix of long entries has about 20,000."""
+
+MOST = 1024
+"""Formulas that are remembered: a page has some hundreds, and most of them are of no other page."""
+
+_WRITTEN: dict[str, Row] = {}
+"""Trees that were written and not read yet, the latest last."""
+
+_BRACKETS = re.compile(r"[{(\[]+|[})\]]+")
 
 
 def read(formula: str) -> Row:
@@ -30,8 +40,29 @@ def find_problem(formula: str) -> tuple[int, str] | None:
     return None if isinstance(found, Row) else found
 
 
-@lru_cache(maxsize=8192)
+def note_written(formula: str, tree: Row) -> None:
+    """Remember the tree of what was just written: it need not be read, since reading gives an equal one.
+
+    Not one that is so long or deep that it may be refused.
+    """
+    if formula not in _WRITTEN and 0 < len(formula) <= LONGEST and not _is_deep(formula):
+        if len(_WRITTEN) >= MOST:
+            _WRITTEN.pop(next(iter(_WRITTEN)), None)
+        _WRITTEN[formula] = tree
+
+
+def _is_deep(formula: str) -> bool:
+    """Whether brackets are nested half as deep as the reader allows; tables and bars, which it counts too, are not."""
+    if sum(map(formula.count, "{([")) < DEEPEST // 2:
+        return False
+    runs = _BRACKETS.findall(formula)
+    return max(accumulate(len(run) if run[0] in "{([" else -len(run) for run in runs)) >= DEEPEST // 2
+
+
+@lru_cache(maxsize=MOST)
 def _read(formula: str) -> Row | tuple[int, str]:
+    if (written := _WRITTEN.pop(formula, None)) is not None:
+        return written
     if len(formula) > LONGEST:
         return 0, f"a formula of more than {LONGEST} characters"
     if not formula.strip():

@@ -25,6 +25,8 @@ _WIDTHS = {
 class _Widths(n.Visitor[float]):
     """Adds up widths in letters; the tallest part decides nothing."""
 
+    keeps = True  # line breaking asks for a side, for the line, for its terms
+
     def number(self, node: n.Number) -> float:
         return float(len(node.digits))
 

@@ -24,7 +24,7 @@ from solver.render.symbols import named
 from solver.render.terms import Term, common_fraction, evaluated, join_roots, like_terms_added, multiplied_in, split
 from solver.stated import Stated, operation_named
 
-REMEMBERED = 20_000
+REMEMBERED = 5_000
 """Expressions whose LaTeX a printer keeps."""
 
 

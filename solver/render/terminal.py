@@ -53,8 +53,9 @@ def _print_part(part: Work, console: Console, say: Say) -> None:
     head = Text(f"{part.id}  ", style="bold")
     head.append(heading(part, say))
     console.print(head)
-    for answer in part.found:
-        console.print(Text("\n".join(indented(answer_lines(answer, console.width)))))
+    for answer in part.found:  # in lines that fit, which rich need not look for
+        lines = "\n".join(indented(answer_lines(answer, console.width)))
+        console.print(Text(lines), no_wrap=True, overflow="ignore", crop=False)
     verdict = Text(INDENT + verdict_of(part, say))
     verdict.stylize(COLOURS[part.status], len(INDENT), len(INDENT) + len(say(part.status)))
     console.print(verdict)

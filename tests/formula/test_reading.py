@@ -32,7 +32,7 @@ from solver.formula.reader import DEEPEST
 from solver.formula.reading import LONGEST
 from solver.formula.terminal.drawing import box
 from solver.formula.width import width
-from tests.helpers.formula_trees import TREES
+from tests.helpers.formula_trees import TREES, anew
 
 GOOD = [
     "{[0, 1)}" * 50,
@@ -99,7 +99,7 @@ BAD = [
 @pytest.mark.parametrize("formula", GOOD)
 def test_formulas_of_the_dialect_are_read_and_written_back(formula: str) -> None:
     tree = read(formula)
-    assert read(latex(tree)) == tree
+    assert anew(latex(tree)) == tree
 
 
 @pytest.mark.parametrize(("formula", "offset"), BAD, ids=lambda item: repr(item)[:30])
@@ -135,7 +135,7 @@ X, Y, ONE, TWO = Symbol("x"), Symbol("y"), Number("1"), Number("2")
 )  # fmt: skip
 def test_trees(formula: str, items: tuple[Node, ...]) -> None:
     assert read(formula) == Row(items)
-    assert read(latex(Row(items))) == Row(items)
+    assert anew(latex(Row(items))) == Row(items)
 
 
 @pytest.mark.parametrize(
@@ -153,17 +153,32 @@ def test_a_tree_is_written_with_the_blanks_of_a_person(typed: str, written: str)
 
 @given(TREES)
 def test_what_is_written_is_read_again(tree: Row) -> None:
-    assert read(latex(tree)) == tree
+    assert anew(latex(tree)) == tree
 
 
 @given(st.text(max_size=30) | st.text(r"{}^_&\()[]'.0x ", max_size=40))
 def test_any_text_is_read_or_refused_at_a_place_in_it(formula: str) -> None:
     problem = find_problem(formula)
     if problem is None:
-        assert read(latex(read(formula))) == read(formula)
+        assert anew(latex(read(formula))) == read(formula)
     else:
         assert 0 <= problem[0] <= len(formula)
         assert problem[1]
+
+
+def test_a_tree_is_remembered_when_it_is_written_unless_it_is_too_deep_to_be_read() -> None:
+    tree = Row((X, Operator("+"), Number("31415")))
+    assert read(latex(tree)) is tree
+    for _ in range(DEEPEST):
+        tree = Row((Root(tree),))
+    assert find_problem(latex(tree)) is not None
+
+
+def test_trees_that_visitors_have_seen_equal_those_that_none_has() -> None:
+    seen, unseen = (Row((X, Scripts(Y, Row((X,))))) for _ in range(2))
+    assert width(seen) == width(unseen)
+    assert latex(seen) == latex(seen)
+    assert (seen, hash(seen), repr(seen)) == (unseen, hash(unseen), repr(unseen))
 
 
 @pytest.mark.parametrize("opening", ["{", "(", r"\left(", r"\sqrt{", "x^{", r"\frac1{", r"\begin{matrix}", r"\hat{x_{"])
@@ -212,7 +227,7 @@ def test_what_is_as_deep_as_allowed_is_drawn_by_all(around: str) -> None:
     while find_problem(around.replace("%s", formula)) is None:
         formula = around.replace("%s", formula)
     tree = read(formula)
-    assert read(latex(tree)) == tree
+    assert anew(latex(tree)) == tree
     assert drawn(tree).width > 0
     assert box(tree, display=True).width > 0
     assert width(tree) > 0

@@ -26,6 +26,12 @@ from solver.formula.nodes import (
     Table,
     Text,
 )
+from solver.formula.reader import Reader
+
+
+def anew(formula: str) -> Row:
+    """Return the tree of a formula as it is read, whether it was written before or not; raises MathProblem."""
+    return Reader(formula).row("")
 
 
 def _rows(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Row]:

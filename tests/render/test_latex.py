@@ -24,8 +24,9 @@ from sympy import (
 
 from solver.formula import latex
 from solver.problem.model import Display
-from solver.render.latex import answer_formula, tex
+from solver.render.latex import answer_formula, formula, tex
 from solver.render.numbers import NumberFormat
+from tests.helpers.formula_trees import anew
 
 s, z, t, k, lamda, a, b, m, k_1, k_2 = sp.symbols("s z t k lamda a b m k_1 k_2")
 p11, p12, p22 = sp.symbols("p11 p12 p22")
@@ -145,6 +146,11 @@ EXACT = [
 @pytest.mark.parametrize(("value", "printed"), EXACT, ids=lambda item: str(item)[:40])
 def test_exact_values_are_printed_as_a_person_writes_them(value, printed):
     assert tex(value) == printed
+
+
+@pytest.mark.parametrize("value", [value for value, _ in EXACT], ids=lambda item: str(item)[:40])
+def test_what_is_printed_is_of_the_dialect_and_reads_as_it_was_written(value):
+    assert anew(tex(value)) == formula(value)
 
 
 q, r = sp.symbols("q r", positive=True)

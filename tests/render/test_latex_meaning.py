@@ -7,8 +7,10 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.render.latex import tex
+from solver.formula import latex
+from solver.render.latex import formula, tex
 from solver.render.numbers import NumberFormat
+from tests.helpers.formula_trees import anew
 from tests.helpers.reading_latex import value_of
 from tests.helpers.tried import tried
 
@@ -73,7 +75,9 @@ def test_what_is_printed_means_what_it_was_printed_from(numbers, expression):
         return
     scale = max([1.0] + [abs(complex(term.subs(POINT).evalf(30))) for term in sp.Add.make_args(sp.expand(expression))])
     digits = 12 if numbers.mode == "decimal" else 5 if expression.has(sp.Float) else 12
-    printed = tex(expression, NumberFormat(numbers.mode, max(digits, 12)))
+    shown = formula(expression, NumberFormat(numbers.mode, max(digits, 12)))
+    printed = latex(shown)
+    assert anew(printed) == shown
     assert value_of(printed, PRINTED) == pytest.approx(expected, rel=1e-7, abs=1e-7 * scale), printed
 
 

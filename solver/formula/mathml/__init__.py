@@ -7,12 +7,12 @@ from html import escape
 
 from solver.formula.mathml.drawing import drawn
 from solver.formula.mathml.leaves import Drawing
-from solver.formula.reading import read
+from solver.formula.reading import MOST, read
 
 __all__ = ["Drawing", "mathml"]
 
 
-@lru_cache(maxsize=8192)
+@lru_cache(maxsize=MOST)
 def mathml(formula: str, display: bool = False) -> Drawing:
     """Return a `<math>` element and its width in em; raises MathProblem if the LaTeX is not of our dialect."""
     inside = drawn(read(formula))

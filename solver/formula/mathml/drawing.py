@@ -7,7 +7,7 @@ space, an ordinary symbol is no operator, and signs in scripts are tight.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from html import escape
 from itertools import zip_longest
 
@@ -230,7 +230,7 @@ class Drawer(Visitor[Drawing]):
         return node.body.accept(Drawer(self.tight, node.command))
 
 
-def _cells(table: Table, cells: list[Drawing], row_styles: list[str]) -> Iterator[str]:
+def _cells(table: Table, cells: list[Drawing], row_styles: Sequence[str]) -> Iterator[str]:
     """Yield the cells of a row; an empty operand before a relation at its left gives it the space of one."""
     for column, (cell, style) in enumerate(zip(cells, row_styles, strict=True)):
         operand = "<mi></mi>" if table.environment == "aligned" and column % 2 and cell.markup else ""

@@ -16,12 +16,14 @@ TALL = {
 BRACES = {"{": "⎧⎪⎨⎩", "}": "⎫⎪⎬⎭"}
 
 
-@lru_cache(maxsize=4096)  # every box asks for it, and pieces of formulas come again and again
 def cells(text: str) -> int:
     """Return the number of cells of a terminal that a text takes."""
-    if text.isascii():
-        return len(text)
-    return sum(0 if category(c) in {"Mn", "Me"} else 2 if east_asian_width(c) in "WF" else 1 for c in text)
+    return len(text) if text.isascii() else sum(map(_cells_of, text))
+
+
+@lru_cache(maxsize=1024)
+def _cells_of(letter: str) -> int:
+    return 0 if category(letter) in {"Mn", "Me"} else 2 if east_asian_width(letter) in "WF" else 1
 
 
 def padded(text: str, width: int, align: str = "l") -> str:
@@ -69,6 +71,8 @@ def beside(boxes: Sequence[Box]) -> Box:
     """Put boxes side by side, baselines level."""
     if len(boxes) < 2:
         return boxes[0] if boxes else text_box("")
+    if all(len(box.lines) == 1 for box in boxes):  # most are letters and numbers in a row
+        return text_box("".join([box.lines[0] for box in boxes]))
     above = max(box.baseline for box in boxes)
     below = max(box.height - box.baseline for box in boxes)
     columns = []
