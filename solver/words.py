@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -34,8 +35,18 @@ def folders(templates: Path | None = None) -> list[Path]:
 
 def languages(templates: Path | None = None) -> list[str]:
     """Return the languages that can be asked for: English, and every folder that has phrases."""
-    found = {each.parent.name for folder in folders(templates) for each in folder.glob(f"*/{PHRASES}")}
+    found = set().union(*(_languages_in(folder) for folder in folders(templates)[:-1]), _installed_languages())
     return [ENGLISH, *sorted(found)]
+
+
+def _languages_in(folder: Path) -> set[str]:
+    return {each.parent.name for each in folder.glob(f"*/{PHRASES}")}
+
+
+@cache
+def _installed_languages() -> set[str]:
+    """Return those of the installed templates: every problem that is read asks for them."""
+    return _languages_in(folders()[-1])
 
 
 def formula(value: Any) -> str:
