@@ -17,6 +17,8 @@ from typing import Any
 
 from solver.derivation import Check, Claim, Step
 from solver.lazy import Call, numeric
+from solver.lazy import sympy as sp
+from solver.stated import Stated
 
 Postcondition = Callable[..., Iterable[Claim | Check]]
 
@@ -66,10 +68,9 @@ def _key(claim: Claim) -> tuple[Any, Any]:
 
 
 def _frozen(value: Any) -> Any:
-    operands = getattr(value, "operands", None)
-    if operands is not None:
-        return value.operation, tuple(map(_frozen, operands))
-    return value.as_immutable() if hasattr(value, "as_immutable") else value
+    if isinstance(value, Stated):
+        return value.operation, tuple(map(_frozen, value.operands))
+    return value.as_immutable() if isinstance(value, sp.MutableDenseMatrix) else value
 
 
 __all__ = ["check_calls", "postcondition_of"]

@@ -12,6 +12,7 @@ from sympy import ZZ
 from sympy.polys.galoistools import gf_gcd, gf_strip
 
 from solver.derivation import Check
+from solver.matrices import entries
 
 NEAR = 1e-7
 PRIME = 2**61 - 1
@@ -41,7 +42,8 @@ def _has_common_factor(A: Any) -> bool:
     Modulo a prime, where a common factor stays one, and where two polynomials that have none hardly ever get one.
     """
     n = A.rows
-    rows = [[entry.p * pow(entry.q, -1, PRIME) % PRIME for entry in A.row(i)] for i in range(n)]
+    flat = [entry.p * pow(entry.q, -1, PRIME) % PRIME for entry in entries(A)]
+    rows = [flat[i * n : (i + 1) * n] for i in range(n)]
     N = [[int(i == j) for j in range(n)] for i in range(n)]
     chi, coefficients = [1], []
     for k in range(1, n + 1):  # Leverrier: adj(xI − A) = N₁xⁿ⁻¹ + … + Nₙ
@@ -49,8 +51,8 @@ def _has_common_factor(A: Any) -> bool:
         N = [[sum(a * N[m][j] for m, a in enumerate(row) if a) % PRIME for j in range(n)] for row in rows]
         chi.append(-sum(N[i][i] for i in range(n)) * pow(k, -1, PRIME) % PRIME)
         N = [[(entry + chi[-1] * (i == j)) % PRIME for j, entry in enumerate(row)] for i, row in enumerate(N)]
-    entries = (gf_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
-    return any(len(gf_gcd(entry, chi, PRIME, ZZ)) > 1 for entry in entries if entry)
+    adjugate = (gf_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
+    return any(len(gf_gcd(entry, chi, PRIME, ZZ)) > 1 for entry in adjugate if entry)
 
 
 def _vanishes(A: Any, roots: Any) -> bool:
