@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
 from math import log
 from pathlib import Path
@@ -39,18 +39,23 @@ CHANGES = 8
 IMPORT = "from time import process_time as t; start = t(); import sympy; print(1000 * (t() - start))"
 
 
-def companion_text(n: int, first: int = 1) -> str:
-    """The companion matrix of (x + first)(x + first + 1)… of degree n as YAML."""
-    low = [1]
-    for root in range(first, first + n):  # coefficients of the product, the constant term first
+def companion_text(roots: Sequence[int]) -> str:
+    """The companion matrix of (x + root)… of some roots as YAML."""
+    low, n = [1], len(roots)
+    for root in roots:  # coefficients of the product, the constant term first
         low = [a + root * b for a, b in zip([0, *low], [*low, 0], strict=True)]
     rows = [[int(j == i + 1) for j in range(n)] for i in range(n - 1)]
     return str([*rows, [-c for c in low[:-1]]])
 
 
 def problem_text(n: int, first: int = 1) -> str:
-    """A problem file that asks for e^{At} of order n."""
-    return PROBLEM.format(A=companion_text(n, first))
+    """A problem file that asks for e^{At} of order n, with the eigenvalues −first, −first − 1, …."""
+    return text_of(range(first, first + n))
+
+
+def text_of(roots: Sequence[int]) -> str:
+    """A problem file that asks for e^{At} of a matrix whose eigenvalues are these numbers with a minus."""
+    return PROBLEM.format(A=companion_text(roots))
 
 
 def rows() -> Iterator[Row | Failure]:
