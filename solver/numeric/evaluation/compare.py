@@ -49,11 +49,13 @@ def residuals(
     if 0 in l_shape:
         return np.zeros((points, 0)), np.ones((points, 0), dtype=bool)
     (l_value, l_size), (r_value, r_size) = _flat(left, points), _flat(right, points)
-    difference = np.where(l_value == r_value, 0.0, arithmetic.size(l_value - r_value))  # ∞ = ∞
+    difference = arithmetic.size(l_value - r_value)
     size = np.maximum(arithmetic.size(l_value), arithmetic.size(r_value))
+    if arithmetic is not DOUBLE:
+        difference = np.where(l_value == r_value, 0.0, difference)  # ∞ = ∞
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
     scale = np.maximum(size, noise / tolerance)
-    residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
+    residual = difference / np.where(scale == 0, 1.0, scale)
     if arithmetic is not DOUBLE and np.isinf(size).any():
         residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
     agree = difference <= tolerance * size

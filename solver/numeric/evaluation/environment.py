@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -65,10 +66,21 @@ class Environment:
         return Value(value.reshape(full), magnitude.reshape(full))
 
 
+MOST_KEPT = 1000
+"""Values that an environment brings along from one derivation to the next; one that has more starts anew."""
+
+
+@lru_cache(maxsize=16)
+def _kept(arithmetic: Arithmetic, points: tuple[tuple[tuple[Any, complex], ...], ...]) -> Environment:
+    """Return the environment of points, each a tuple of pairs: the claims of a part and its displays share it."""
+    return Environment.at([dict(point) for point in points], arithmetic)
+
+
 class Environments:
     """The environments in which the claims of one derivation are tried.
 
-    Claims in the same symbols are tried at the same points, and hold the same matrices: each is evaluated once.
+    Claims in the same symbols are tried at the same points, and hold the same matrices: each is evaluated once. What
+    a formula has at a point depends on nothing else, so the environments used last serve the next derivation, too.
     """
 
     def __init__(self) -> None:
@@ -76,7 +88,9 @@ class Environments:
 
     def at(self, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic) -> Environment:
         """Return the environment of these points."""
-        key = (arithmetic.digits, tuple(tuple(point.items()) for point in points))
+        key = (arithmetic, tuple(tuple(point.items()) for point in points))
         if key not in self._known:
-            self._known[key] = Environment.at(points, arithmetic)
+            environment = self._known[key] = _kept(*key)
+            if len(environment.memo) > MOST_KEPT:
+                environment.memo.clear()
         return self._known[key]

@@ -39,10 +39,10 @@ def value_of(expression: Any, environment: Environment) -> Value:
     try:
         with np.errstate(all="ignore"):
             result = walk(expression, environment)
-            finite = bool(np.isfinite(environment.arithmetic.approximate(result.value)).all())
+            finite = environment.arithmetic is not DOUBLE or bool(np.isfinite(result.value).all())
     except (ZeroDivisionError, OverflowError) as trouble:
         raise Undefined(Phrase("the formula is not defined here ({trouble})", trouble=str(trouble))) from trouble
-    if not finite and environment.arithmetic is DOUBLE:
+    if not finite:
         raise Undefined("the formula has no finite value here")
     return result
 

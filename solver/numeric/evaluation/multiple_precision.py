@@ -44,10 +44,11 @@ def inverse(M: Array) -> Array:
         if table[p, j] == 0:
             raise Undefined("the matrix to invert is singular")
         table[[j, p]] = table[[p, j]]
-        table[j] = table[j] / table[j, j]
+        there = j + 1 + np.flatnonzero(table[j, j + 1 :])  # what is zero stays as it is, and costs as much as the rest
+        table[j, there] = table[j, there] / table[j, j]
         for i in range(n):
             if i != j and table[i, j] != 0:
-                table[i] -= table[j] * table[i, j]
+                table[i, there] -= table[j, there] * table[i, j]
     return table[:, n:]
 
 

@@ -17,6 +17,7 @@ from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.stated import about
 from solver.numeric.evaluation.values import Value
+from solver.numeric.evaluation.walk import Entries
 from solver.stated import Stated
 
 
@@ -41,24 +42,37 @@ class Sides(NamedTuple):
         return None if left is None or right is None else self._replace(left=left, right=right)
 
 
-def _column(formula: Any, chosen: Sequence[int], count: int) -> Any:
-    """Return the chosen entries of a formula as a column; None where they can't be told by themselves."""
+ARITHMETIC = frozenset({"total", "difference", "product", "quotient"})
+"""Operations that do no more with their operands than evaluate them; others look into matrices."""
+
+
+def _column(formula: Any, chosen: Sequence[int], count: int, form: Callable[..., Any] = Entries) -> Any:
+    """Return the chosen entries of a formula as a column; None where they can't be told by themselves.
+
+    Matrices become of a `form` that is made of entries and a shape.
+    """
     if isinstance(formula, MatrixBase):
         each = entries(formula)
-        return sp.ImmutableMatrix([each[k] for k in chosen]) if len(each) == count else None
+        return form([each[k] for k in chosen], (len(chosen), 1)) if len(each) == count else None
     if not isinstance(formula, Stated) or not about(formula.operation, "ENTRYWISE"):
         return None
+    form = form if formula.operation in ARITHMETIC else _matrix
     operands = list(formula.operands)
     matrices = [i for i, each in enumerate(operands) if not _is_scalar(each)]
     if formula.operation == "product" and len(matrices) > 1:
         first = operands[matrices[0]]
         if not isinstance(first, MatrixBase) or first.rows != count:  # else the product is a column
             return None
-        operands[matrices[0]] = sp.ImmutableMatrix(first.extract(list(chosen), list(range(first.cols))))
+        rows = [entry for k in chosen for entry in entries(first)[k * first.cols : (k + 1) * first.cols]]
+        operands[matrices[0]] = form(rows, (len(chosen), first.cols))
     else:
         for i in matrices:
-            operands[i] = _column(operands[i], chosen, count)
+            operands[i] = _column(operands[i], chosen, count, form)
     return None if any(each is None for each in operands) else Stated(formula.operation, tuple(operands))
+
+
+def _matrix(each: Sequence[Any], shape: tuple[int, int]) -> Any:
+    return sp.ImmutableMatrix(*shape, each)
 
 
 def _is_scalar(formula: Any) -> bool:

@@ -45,6 +45,7 @@ def _module_of(operation: str) -> ModuleType:
         raise NoRule(Phrase("the operation {operation}", operation=operation)) from missing
 
 
+@cache
 def about(operation: str, aspect: str) -> Any:
     """Return what the module of an operation says under a name; None if it says nothing."""
     return getattr(_module_of(operation), aspect, None)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -14,6 +14,7 @@ from solver.matrices import entries
 from solver.numeric.evaluation.arithmetic import Arithmetic
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import SAFETY, NoRule, NotEvaluable, Value
+from solver.stated import Stated
 from solver.words import Phrase
 
 Rule = Callable[[Any, Environment], Value]
@@ -33,15 +34,26 @@ def rule(*classes: type) -> Callable[[Rule], Rule]:
 
 def walk(expression: Any, environment: Environment) -> Value:
     """Return the values at all points; entries that are not finite stay as nan or inf (in doubles)."""
-    known = environment.memo.get(expression) if isinstance(expression, sp.Basic) else None
+    kept = _is_kept(expression)
+    known = environment.memo.get(expression) if kept else None
     if known is not None:
         return known
     cls = type(expression)
     function = RULES.get(cls) or _rule_of_base(cls)
     result = function(expression, environment)
-    if isinstance(expression, sp.Basic):
+    if kept:
         environment.memo[expression] = result
     return result
+
+
+def _is_kept(formula: Any) -> bool:
+    """Whether the value of a formula is remembered: not where it holds what may change, or a Python float.
+
+    A float equals the decimal of sympy that is known to so many digits only.
+    """
+    if isinstance(formula, Stated):
+        return all(isinstance(each, int) or _is_kept(each) for each in formula.operands)
+    return isinstance(formula, sp.Basic)
 
 
 def _rule_of_base(cls: type) -> Rule:
@@ -194,6 +206,18 @@ def on_the_cut(value: Value, arithmetic: Arithmetic) -> Any:
 @rule(MatrixBase)
 def _matrix(matrix: Any, environment: Environment) -> Value:
     return environment.stack([walk(entry, environment) for entry in entries(matrix)], matrix.shape)
+
+
+class Entries(NamedTuple):
+    """A matrix given by its entries, row by row: what is evaluated once need not be made a matrix of sympy's."""
+
+    each: Sequence[Any]
+    shape: tuple[int, int]
+
+
+@rule(Entries)
+def _entries(matrix: Entries, environment: Environment) -> Value:
+    return environment.stack([walk(entry, environment) for entry in matrix.each], matrix.shape)
 
 
 @rule(list, tuple)

@@ -18,9 +18,13 @@ ENTRYWISE = True
 
 def evaluate(environment: Environment, *factors: Any) -> Value:
     """F₁ F₂ … from left to right."""
-    result = Value(environment.arithmetic.number(1), 1.0)
-    for factor in factors:
-        result = multiply(result, walk(factor, environment), environment.arithmetic)
+    arithmetic = environment.arithmetic
+    if not factors:
+        return Value(arithmetic.number(1), 1.0)
+    first, *others = (walk(factor, environment) for factor in factors)
+    result = Value(first.value, first.magnitude + arithmetic.size(first.value))
+    for other in others:
+        result = multiply(result, other, arithmetic)
     return result
 
 
