@@ -207,7 +207,7 @@ def test_where_there_is_no_browser_it_says_so(solve, good, monkeypatch):
     assert "open good.html yourself" in done.err
 
 
-@pytest.mark.parametrize(**by_problem(PROBLEMS, EXAMPLES[::40], of=64))
+@pytest.mark.parametrize(**by_problem(PROBLEMS, EXAMPLES[::80], of=64))
 def test_in_a_process_of_its_own_every_check_passes_and_the_bytes_are_the_same(process, path, tmp_path):
     """Among the tests everything is imported already, and so is what registers itself on import.
 

@@ -10,6 +10,9 @@ PROJECT = Path(__file__).parents[2]
 LEFT_OUT = shutil.ignore_patterns(".*", "*.html", "build", "dist", "*.pyc.*", "*.tmp")
 """Compiled files go along, but not those that another process is writing."""
 
+COPIES = ("task", "guide", "kind")
+"""What is added to a copy, of which one is in turn: what `make task` writes, the guide's task, a kind of system."""
+
 WHOLE = [
     *(f"tests/project/test_{name}.py" for name in ("house", "imports", "reasons", "tables")),
     *(f"tests/tasks/test_{name}.py" for name in ("catalogue", "declarations", "mistaken_methods", "promised")),

@@ -18,6 +18,11 @@ def in_turn(name: str, of: int) -> bool:
     return WHOLE or crc32(name.encode()) % of == TURN % of
 
 
+def one_of(place: int, of: int) -> tuple[pytest.MarkDecorator, ...]:
+    """The marks of one of so many slow tests, numbered from 0, of which one is in turn, whichever it is."""
+    return (pytest.mark.slow,) if WHOLE or place == TURN % of else (pytest.mark.slow, pytest.mark.whole)
+
+
 def turn(name: str, of: int) -> tuple[pytest.MarkDecorator, ...]:
     """The marks of a slow test that is run in its turn."""
     return (pytest.mark.slow,) if in_turn(name, of) else (pytest.mark.slow, pytest.mark.whole)

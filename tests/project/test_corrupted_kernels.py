@@ -6,7 +6,7 @@ import pytest
 
 from solver.document.model import Presentation
 from solver.resources import root
-from tests.helpers.shares import turn
+from tests.helpers.shares import one_of
 from tools.corrupted_kernels.equivalents import RIGHT, equivalents, judged
 from tools.corrupted_kernels.runs import CAUGHT, KERNELS, SAME, SURVIVED, Extent, Outcome, outcomes
 from tools.corrupted_kernels.samples import covering
@@ -21,8 +21,8 @@ SAMPLE = (
     "ch1-ex02",
 )
 """Problems whose kernels are corrupted in the quick tests, each kernel once in a part."""
-SHARES = 12
-"""Into so many tests the problems that cover all tasks and methods are divided."""
+SHARES = 24
+"""Into so many tests the problems that cover all tasks and methods are divided; one of them is in turn."""
 
 
 def found_in(path: Path, extent: Extent) -> list[Outcome]:
@@ -43,7 +43,7 @@ def test_a_sample_of_corrupted_kernels_reaches_no_verified_page(name):
     assert any(each.became == "failed" for each in found)
 
 
-@pytest.mark.parametrize("share", [pytest.param(i, marks=turn(f"share {i}", 8)) for i in range(SHARES)])
+@pytest.mark.parametrize("share", [pytest.param(i, marks=one_of(i, SHARES)) for i in range(SHARES)])
 def test_no_corrupted_kernel_reaches_a_verified_page(share):
     paths = covering()[share::SHARES]  # chosen here: it takes seconds, which collecting the quick tests need not
     assert paths

@@ -5,6 +5,7 @@ import re
 import pytest
 
 from tests.helpers.copies import (
+    COPIES,
     PROJECT,
     complaints_of_lint,
     complaints_of_the_meta_tests,
@@ -12,13 +13,16 @@ from tests.helpers.copies import (
     make_task,
     run,
 )
-from tests.helpers.shares import turn
+from tests.helpers.shares import one_of
 
 GUIDE = PROJECT / "docs" / "add-a-task.md"
 FILE = re.compile(r"^`([\w/.-]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^make task NAME=(\w+) TOPIC=(\w+)$", re.MULTILINE)
 
-pytestmark = [*turn("guide", 4), pytest.mark.xdist_group("guide")]  # one copy of the project serves all
+pytestmark = [
+    *one_of(COPIES.index("guide"), len(COPIES)),
+    pytest.mark.xdist_group("guide"),
+]  # one copy of the project serves all
 
 
 @pytest.fixture(scope="module")

@@ -5,16 +5,15 @@ from pathlib import Path
 import pytest
 
 from solver.derivation import Unsolved
-from solver.engine import given_of, solve_part, yield_into
+from solver.engine import given_of, yield_into
 from solver.lazy import exact
-from solver.problem.files import load
-from solver.problem.reader import read_problem
 from solver.tasks import catalogue
+from tests.helpers.solved import PROBLEMS, by_problem, solution_of
 from tools import methods_page
 from tools.methods import Either, Named, Repeated, Then, follows, methods, order_of_method, walked
 
 ROOT = Path(__file__).parents[2]
-COURSE = sorted(path for path in (ROOT / "problems" / "course").rglob("*.yaml") if ".answers" not in path.name)
+COURSE = [path for path in PROBLEMS if "course" in path.parts]
 A, B, C = (Named("lemmas/x", kind) for kind in "abc")
 
 
@@ -29,14 +28,14 @@ def yielded(part, method, known):
     return [Named(step.wording, step.kind) for step in steps]
 
 
-@pytest.mark.parametrize("path", COURSE[::9], ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(COURSE[::9]))
 def test_the_steps_of_problems_come_in_the_order_of_the_table(path):
-    known = {}
-    for part in read_problem(load(path), catalogue()).parts:
+    solution, known = solution_of(path), {}
+    for part in solution.problem.parts:
         for method in part.methods:
             steps = yielded(part, method, known)
             assert follows(order_of_method(part.task, method), steps), (part.id, method, steps)
-        known[part.id] = solve_part(part, known)[0]
+        known[part.id] = next(result for result in solution.parts if result.id == part.id)
 
 
 @pytest.mark.parametrize(

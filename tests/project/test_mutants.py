@@ -186,7 +186,8 @@ def test_what_a_run_of_tests_writes_down_is_read(tmp_path):
 
 
 def test_the_program_with_a_slip_is_still_python():
-    for each in sample(candidates([ROOT / "solver"]), 100, seed=1):
+    files = sorted((ROOT / "solver").rglob("*.py"))[::12]
+    for each in sample(candidates(files), 100, seed=1):
         changed = each.applied((ROOT / each.file).read_bytes())
         assert ast.dump(ast.parse(changed)) != ast.dump(ast.parse((ROOT / each.file).read_bytes())), each
 

@@ -4,10 +4,13 @@ import json
 
 import pytest
 
-from tests.helpers.copies import WHOLE, complaints_of_lint, copy_of_the_project, run
-from tests.helpers.shares import turn
+from tests.helpers.copies import COPIES, WHOLE, complaints_of_lint, copy_of_the_project, run
+from tests.helpers.shares import one_of
 
-pytestmark = [*turn("new kind", 4), pytest.mark.xdist_group("new_kind")]  # one copy of the project serves all
+pytestmark = [
+    *one_of(COPIES.index("kind"), len(COPIES)),
+    pytest.mark.xdist_group("new_kind"),
+]  # one copy of the project serves all
 
 KIND = '''"""A system without coupling, by its modes."""
 

@@ -5,6 +5,7 @@ import filecmp
 import pytest
 
 from tests.helpers.copies import (
+    COPIES,
     PROJECT,
     complaints_of_lint,
     complaints_of_the_meta_tests,
@@ -12,11 +13,15 @@ from tests.helpers.copies import (
     make_task,
 )
 from tests.helpers.copies import run as run_in
+from tests.helpers.shares import one_of
 
 MADE_ANEW = {"docs/user-guide.md", "docs/tasks.md", "docs/methods.md"}
 """What is made from the declarations."""
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("new_task")]  # one copy of the project serves all
+pytestmark = [
+    *one_of(COPIES.index("task"), len(COPIES)),
+    pytest.mark.xdist_group("new_task"),
+]  # one copy of the project serves all
 
 
 @pytest.fixture(scope="module")
