@@ -101,15 +101,28 @@ def _divided_out(p: Poly, rational: list[Expr], x: Symbol) -> Generator[Step, No
         yield _root(rest, root, quotient, x)
         rest = quotient
     if rest.degree() == 2 and len(left) == 2:
+        _, b, c = rest.all_coeffs()
         if not _is_in_sight(rest):
-            _, b, c = rest.all_coeffs()
             yield from quadratic_formula(x, b, c, sorted(left, reverse=True))
+        elif rest != p:
+            yield _in_sight(rest, left, x)
         rest = sp.Poly(1, x)
     return rest
 
 
 def _is_in_sight(quadratic: Poly) -> bool:
     return all(each.is_Integer for each in quadratic.all_coeffs()) and abs(quadratic.nth(0)) <= IN_SIGHT
+
+
+def _in_sight(p: Poly, roots: list[Expr], x: Symbol) -> Step:
+    """Two whole numbers by their sum and their product."""
+    first, second = roots
+    claims = {
+        "sum": Claim(total(first, second), -p.nth(1), Phrase("the sum of two roots")),
+        "product": Claim(product(first, second), p.nth(0), Phrase("the product of two roots")),
+        "factors": Claim(p.as_expr(), product(x - first, x - second), Phrase("two factors in sight")),
+    }
+    return Step("in_sight", detail="tutor", claims=claims, x=x, first=first, second=second)
 
 
 def _root(p: Poly, root: Expr, quotient: Poly, x: Symbol) -> Step:

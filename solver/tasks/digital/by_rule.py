@@ -18,7 +18,7 @@ from solver.stated.calculus import value_at
 from solver.stated.matrices import inverse
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
     from solver.systems import StateSpace, TransferFunction
 
@@ -99,14 +99,39 @@ def mapped_transfer_of(G: TransferFunction, name: str, T: Expr, prewarp: Expr | 
                 "put": Claim(value_at(shown, s, rule.s(z)), quotient(found.above, found.below), "s replaced"),
                 "whole": Claim(quotient(found.above, found.below), found.whole, "in lowest terms"),
             }
-            yield Step("substituted", claims=claims, place=(i + 1, j + 1) if p * m > 1 else (), z=z, s=s, name=name,
-                       G=shown, whole=found.whole, below=rule.below(z), h=rule.h)  # fmt: skip
+            lines = _cleared(N, D, s, z, rule, found)
+            yield Step("substituted", claims=claims, steps=lines, place=(i + 1, j + 1) if p * m > 1 else (),
+                       z=z, s=s, name=name, G=shown, whole=found.whole, below=rule.below(z), h=rule.h)  # fmt: skip
     common = denominators[0]
     for each in denominators[1:]:
         common = common.lcm(each)
     roots = exact.spectrum_of_polynomial(common.to_field()).roots if common.degree() > 0 else ()
     yield from stability_by(rule, name, T, roots, states=False)
     return entry_alone(sp.ImmutableMatrix(p, m, entries))
+
+
+@where_exact
+def _cleared(N: Expr, D: Expr, s: Symbol, z: Symbol, rule: exact.Rule, found: exact.MappedQuotient) -> tuple[Step, ...]:
+    """Numerator and denominator after they were multiplied by the power that clears the fractions, and sorted."""
+    degree = int(sp.degree(sp.expand(D), s))
+    if rule.name == FORWARD or not degree:
+        return ()
+    return tuple(_multiplied(N, D, s, z, rule, found, degree))
+
+
+@lemma("by_rule")
+def _multiplied(
+    N: Expr, D: Expr, s: Symbol, z: Symbol, rule: exact.Rule, found: exact.MappedQuotient, degree: int
+) -> Derivation[None]:
+    claims = {}
+    for name, p, value in (("above", N, found.above), ("below", D, found.below)):
+        terms = [
+            product(*(each for each in (c * rule.h ** (degree - i), rule.above(z) ** i, rule.below(z) ** (degree - i))
+                      if each != 1))
+            for (i,), c in sp.Poly(p, s).terms()
+        ]  # fmt: skip
+        claims[name] = Claim(total(*terms), value, f"the {'numerator' if name == 'above' else 'denominator'}")
+    yield Step("cleared", detail="tutor", claims=claims, by=product(rule.h, rule.below(z)), degree=degree)
 
 
 def _rule(rule: exact.Rule, name: str, T: Expr, prewarp: Expr | None, *, states: bool) -> Step:

@@ -35,6 +35,7 @@ from solver.tasks.frequency.figures import bode_figure
 from solver.tasks.frequency.late_response import of_late_loop
 from solver.tasks.frequency.parametric_response import has_parameters, of_parameters
 from solver.tasks.frequency.steady import Passed, axis_of, constant_through, dies_out, input_of, steady_answers
+from solver.tasks.frequency.worked_out import value_worked_out
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
@@ -196,7 +197,8 @@ def _value(
         claims["sum"] = Claim(total(*terms), whole, "the sum of the angles")
     if turns:
         claims["turned"] = Claim(total(whole, 360 * turns), angle, "the phase between −180° and 180°")
-    yield Step("value", claims=claims, omega=omega, value=value, rows=rows, turns=turns, angle=angle, s=s,
+    yield Step("value", claims=claims, steps=value_worked_out(T, omega, magnitude), omega=omega, value=value,
+               rows=rows, turns=turns, angle=angle, s=s,
                magnitude=magnitude, near=approximation(magnitude), T=formula_of(T), discrete=T.discrete,
                point=T.point(omega), alias=_alias(T, omega), normalized=normalized, several=several,
                letter=sp.Symbol("omega"), axis=axis_of(omega))  # fmt: skip

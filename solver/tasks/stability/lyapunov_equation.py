@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from solver.arithmetic.determinants import leading_minors
+from solver.arithmetic.equations import eliminated
 from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.products import multiplied
 from solver.arithmetic.row_operations import row_operations
@@ -17,11 +18,16 @@ from solver.stated.matrices import determinant, transpose
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from sympy import ImmutableMatrix
+    from collections.abc import Sequence
+
+    from sympy import Expr, ImmutableMatrix
 
 
 FEW = 3
 """Row operations are written out for so many unknowns at most."""
+
+SOME = 6
+"""So many unknowns at most are eliminated one after the other."""
 
 
 @lemma("lyapunov_equation")
@@ -54,24 +60,30 @@ def lyapunov_solution_of(
         reason = "the equations have no unique solution; the eigenvalues tell why"
         yield Step("singular", unclaimed=reason, solvable=solvable, discrete=discrete)
         return None
-    elimination = _elimination(unknowns)
+    sides = [(written[i, j], negative[i, j]) for i in range(A.rows) for j in range(i, A.rows)]
+    elimination = _elimination(unknowns, sides, P)
     yield Step(
         "solution",
         claims={"solves": Claim(left_side(A, P, dual=dual, discrete=discrete), negative, "the Lyapunov equation")},
         steps=elimination,
         P=P,
         count=len(unknowns.equations),
-        reduced=bool(elimination),
+        reduced=bool(elimination) and len(unknowns.symbols) <= FEW,
+        eliminated=bool(elimination) and len(unknowns.symbols) > FEW,
         discrete=discrete,
     )
     return P
 
 
 @where_exact
-def _elimination(unknowns: exact.Unknowns) -> tuple[Step, ...]:
-    """The linear equations as an augmented matrix, reduced; only where there are few."""
-    if len(unknowns.symbols) > FEW or any(x.free_symbols - set(unknowns.symbols) for x in unknowns.equations):
+def _elimination(unknowns: exact.Unknowns, sides: Sequence[tuple[Expr, Expr]], P: ImmutableMatrix) -> tuple[Step, ...]:
+    """The linear equations as an augmented matrix, reduced, where there are few; else one put into the others."""
+    if len(unknowns.symbols) > SOME or any(x.free_symbols - set(unknowns.symbols) for x in unknowns.equations):
         return ()
+    if len(unknowns.symbols) > FEW:
+        values = [P[place] for place in ((i, j) for i in range(P.rows) for j in range(i, P.rows))]
+        names = [unknowns.P[place] for place in ((i, j) for i in range(P.rows) for j in range(i, P.rows))]
+        return eliminated(sides, names, values)
     coefficients, right = sp.linear_eq_to_matrix(unknowns.equations, unknowns.symbols)
     augmented = sp.ImmutableMatrix(sp.Matrix.hstack(coefficients, right))
     return row_operations(augmented, exact.row_reduction(augmented))

@@ -137,6 +137,7 @@ def external_stability_of(system: StateSpace, verdict: str) -> Derivation[bool |
         "transfer",
         claims={"G": Claim(product(C, inverse(pencil), B), G.matrix, "the transfer matrix")},
         missing="B" if system.B is None else "C" if system.C is None else "",
+        identity=identity,
         x=x,
         G=G.matrix[0, 0] if G.matrix.shape == (1, 1) else G.matrix,
     )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.combinations import combined, multiplied_out
 from solver.arithmetic.equations import eliminated
+from solver.arithmetic.inverses import inverted as inverse_worked_out
 from solver.arithmetic.products import polynomial_of
 from solver.derivation import (
     AnswerName,
@@ -199,6 +200,7 @@ def by_modal_matrix(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivati
     yield Step(
         "inverse",
         claims={"inverse": Claim(inverse(V), inverted, "inverse of the modal matrix")},
+        steps=inverse_worked_out("V", V, inverted),
         V=V,
         n=A.rows,
         diagonal=diagonal,

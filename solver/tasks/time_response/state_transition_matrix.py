@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.arithmetic.beginnings import begun_right
 from solver.arithmetic.combinations import combined, multiplied_out
 from solver.arithmetic.equations import eliminated
+from solver.arithmetic.inverses import inverted as inverse_worked_out
 from solver.arithmetic.transformed import term_by_term
 from solver.derivation import (
     AnswerName,
@@ -222,6 +223,7 @@ def by_modal_matrix(given: Given[StateSpace, StateTransitionMatrixOptions]) -> D
     yield Step(
         "inverse",
         claims={"inverse": Claim(inverse(modal), inverted, "inverse of the modal matrix")},
+        steps=inverse_worked_out("M" if left else "V", modal, inverted),
         modal=modal,
         left=left,
         n=given.system.order,
