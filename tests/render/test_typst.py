@@ -19,6 +19,7 @@ from solver.render.prose_typst import inline_typst, to_typst
 from solver.render.typst_document import files_beside, typst_document
 from solver.render.typst_text import heard, quoted, shows
 from tests.document.test_images import PNG, SVG
+from tests.helpers.sample_pages import sample
 from tests.helpers.solved import EXAMPLES, by_problem, document_of_problem, solution_of
 from tests.render.test_documents import HOSTILE
 
@@ -187,3 +188,13 @@ def test_what_is_heard_needs_no_glyph():
     assert heard('ẋ "1"\\\x07\n中') == '"ẋ \\"1\\"\\\\中"'
     assert [shows(each) for each in ("Doe, #Jo", "Müller", "Žižek", "李明", "🙂")] == [True, True, True, False, False]
     assert inline_typst(r"$\dot x$").startswith('#eq("ẋ"')
+
+
+def test_what_stands_before_the_steps_stays_on_their_page_and_a_paper_may_break_anywhere():
+    document = replace(sample(), given="")
+    kept = "#block(sticky: true, width: 100%)["
+    asked = replace(document, parts=tuple(replace(each, steps=()) for each in document.parts))
+    method = "Method:"
+    for each in typst_document(document).split(method)[:-1]:
+        assert each.rstrip('#"').rstrip().endswith(f"{kept}\n#text(fill: quiet)[")
+    assert kept not in typst_document(asked)
