@@ -21,7 +21,16 @@ from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
 from solver.render.programs import program_formula
 from solver.render.symbols import named
-from solver.render.terms import Term, common_fraction, evaluated, join_roots, like_terms_added, multiplied_in, split
+from solver.render.terms import (
+    Term,
+    common_fraction,
+    constants_together,
+    evaluated,
+    join_roots,
+    like_terms_added,
+    multiplied_in,
+    split,
+)
 from solver.stated import Stated, operation_named
 
 REMEMBERED = 5_000
@@ -58,7 +67,7 @@ class Printer(ObjectPrinter):
     def _print_Add(self, expr: Any) -> Row:
         if expr.is_number:
             return self._constant_sum(expr)
-        terms = list(expr.args)
+        terms = constants_together(list(expr.args))
         if self.numbers.all_decimal:
             terms = like_terms_added(terms)
         return summed([self._print(term) for term in ordered_terms(terms)])
@@ -67,6 +76,9 @@ class Printer(ObjectPrinter):
         if self.numbers.all_decimal or expr.has(sp.Float):
             value = evaluated(expr)
             return summed([self._print(part) for part in value.args]) if value.is_Add else self._print(value)
+        (whole, *others) = constants_together(list(expr.args))
+        if not others:
+            return self._print(whole)
         fraction = common_fraction(expr)
         if fraction is not None:
             return self._print_Mul(fraction)

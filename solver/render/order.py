@@ -40,6 +40,8 @@ def _ordered(terms: list[Any]) -> list[Any]:
     if polynomial and any(rank.time_degree > 1 for rank, _ in ranks):
         return [term for rank, term in sorted(ranks, key=lambda pair: pair[0].time_degree)]
     ordered = [term for _, term in ranks]
+    if len(ordered) == 2 and any(rank.growth for rank, _ in ranks) and all(term.is_number for term in ordered):
+        return _positive_first(ordered) if not all(map(is_negative, ordered)) else ordered
     if not is_negative(ordered[0]) or all(term.is_number for term in ordered):
         return _real_first(ranks)
     if all(is_negative(term) for term in ordered) or any(rank.imaginary for rank, _ in ranks):
@@ -103,6 +105,7 @@ class _Rank:
     names: list[Any] = field(default_factory=list)
     frequency: float = 0.0
     function: int = 0
+    growth: float = 0.0
     number: int = 0
     imaginary: bool = False
 
@@ -123,6 +126,7 @@ class _Rank:
             sorted(self.names),
             self.frequency,
             self.function,
+            -self.growth,
             self.number,
         )
 
@@ -148,6 +152,8 @@ def _add_factor(rank: _Rank, factor: Any) -> None:
         return
     if factor is sp.I:
         rank.number, rank.imaginary = 2, True
+    elif factor is sp.E or (isinstance(factor, sp.exp) and factor.args[0].is_Rational):
+        rank.growth += 1.0 if factor is sp.E else float(factor.args[0])
     elif isinstance(factor, sp.exp):
         _add_rate(rank, *_linear(factor.args[0]))
     elif factor.is_number:

@@ -100,6 +100,20 @@ def common_fraction(constant: Any) -> Any | None:
     return sp.Mul(factor, whole, evaluate=False)
 
 
+def constants_together(terms: list[Any]) -> list[Any]:
+    """Return the terms of a sum with its numbers as one fraction, where a sum with powers of e stands below a line."""
+    numbers = [term for term in terms if term.is_number]
+    if len(numbers) < 2 or not any(_has_powers_below(each) for each in numbers):
+        return terms
+    whole = sp.cancel(sp.together(sp.Add(*numbers)))
+    return [*(term for term in terms if not term.is_number), whole]
+
+
+def _has_powers_below(number: Any) -> bool:
+    """Whether a sum with powers of e stands below a fraction line."""
+    return number.has(sp.exp, sp.E) and any(each.base.is_Add and each.exp.is_negative for each in number.atoms(sp.Pow))
+
+
 def _place(term: Term, base: Any, exponent: Any) -> None:
     if exponent.is_Rational and exponent.p < 0:
         term.below.append((base, -exponent))

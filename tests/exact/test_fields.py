@@ -66,3 +66,16 @@ def test_functions_of_decimals_have_no_field(functions):
     for M in (sp.Matrix([entries]), sp.Matrix([[*entries, sp.sqrt(2)]])):
         with pytest.raises(NotExact):
             domain_matrix(M)
+
+
+def test_a_number_with_powers_of_e_below_a_line_is_one_fraction():
+    e = sp.exp(-2)
+    M = sp.ImmutableMatrix([[(1 + e) / 4, sp.Rational(1, 2) - e / 4 + e**2 / 4], [(1 - e) / 2, (e - e**2) / 2]])
+    inverse = matrix_of(domain_matrix(M).inv())
+    for entry, exactly in zip(inverse.flat(), M.evalf(40).inv().flat(), strict=True):
+        assert entry.is_Mul
+        assert not any(
+            power.base.is_Add and power.exp.is_negative for term in sp.fraction(entry) for power in term.atoms(sp.Pow)
+        )
+        assert abs(entry.evalf(30) - exactly) < sp.Float("1e-25")
+    assert matrix_of(domain_matrix(M)) == M

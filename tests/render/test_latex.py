@@ -177,6 +177,22 @@ def test_roots_of_what_cannot_be_negative_are_one_root(value, printed):
     assert tex(value) == printed
 
 
+POWERS_OF_E = [
+    # (value, as a person writes it)
+    (exp(2) - 1, "e^{2} - 1"),
+    (1 - exp(-2), "1 - e^{-2}"),
+    (3 - exp(2), "3 - e^{2}"),
+    (exp(4) - 2 * exp(2) + 1, "e^{4} - 2e^{2} + 1"),
+    (exp(2) / (exp(2) - 1) - 3 / (exp(2) - 1), r"\frac{e^{2} - 3}{e^{2} - 1}"),
+    (s + 1 / (exp(1) - 1) + 1, r"s + \frac{e}{e - 1}"),
+]
+
+
+@pytest.mark.parametrize(("value", "printed"), POWERS_OF_E, ids=lambda item: str(item)[:40])
+def test_numbers_with_powers_of_e_are_one_fraction_by_falling_powers(value, printed):
+    assert tex(value) == printed
+
+
 DECIMALS = [
     # (value, in decimals)
     (sqrt(2) * sqrt(q) / sqrt(r), r"1.4142\sqrt{\frac{q}{r}}"),

@@ -111,7 +111,9 @@ def is_real_field(K: Any) -> bool:
 def expression(K: Any, element: Element) -> sp.Expr:
     """The element of K as an expression, with sines and cosines in place of half-angle tangents."""
     found: sp.Expr = K.to_sympy(element)
-    return whole_angles(found) if K.is_Composite else found
+    if not K.is_Composite:
+        return found
+    return constant_form(found) if sp.E in K.symbols and not found.free_symbols else whole_angles(found)
 
 
 def in_powers(coefficients: Sequence[Any], K: Any, x: sp.Symbol) -> sp.Expr:
@@ -172,11 +174,21 @@ def trigonometric(found: sp.Expr, angle: sp.Expr) -> sp.Expr:
 def collected(found: sp.Expr) -> sp.Expr:
     """The expression in the form shown: numbers multiplied out, parameters factored, sines and cosines reduced."""
     if not found.free_symbols:
-        return sp.expand(found)
+        return constant_form(found)
     angles = {f.args[0] for f in found.atoms(sp.sin, sp.cos)}
     for angle in angles:
         found = trigonometric(found, angle)
     return found if angles else _number_multiplied_in(sp.factor(found))
+
+
+def constant_form(found: sp.Expr) -> sp.Expr:
+    """A number multiplied out; one fraction where a sum with powers of e stands below a line: (e⁴ − 2)/(e² − 1)²."""
+    expanded: sp.Expr = sp.expand(found)
+    if not found.has(sp.exp, sp.E) or not any(
+        each.base.is_Add and each.exp.is_negative for each in expanded.atoms(sp.Pow)
+    ):
+        return expanded
+    return sp.cancel(sp.together(found))
 
 
 def _number_multiplied_in(factored: sp.Expr) -> sp.Expr:
