@@ -25,7 +25,7 @@ def svg(diagram: Diagram | Chains | Parts | FlowGraph) -> str:
     """Return the diagram as an SVG document, the same bytes for the same labels."""
     layout = layout_of(diagram)
     x_min, x_max, y_min, y_max = layout.bounds
-    with mpl.rc_context({**SETTINGS, "axes.grid": False}):
+    with mpl.rc_context(SETTINGS):
         canvas = Canvas(figsize=((x_max - x_min) * CM * SCALE, (y_max - y_min) * CM * SCALE))
         axes = canvas.add_axes((0.0, 0.0, 1.0, 1.0))
         axes.set_xlim(x_min, x_max)

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.textpath import text_to_path
 
 from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
+from solver.figures.axis_marks import mark
 from solver.figures.palette import AREA, COLOURS, GRID, INK, PAPER, SIGNS, SOFT, dark_style
 from solver.figures.room import BELOW, POINTS, give_room
 
@@ -46,10 +47,6 @@ SETTINGS: Any = {
     "axes.facecolor": PAPER,
     "axes.spines.top": False,
     "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.color": GRID,
-    "grid.linewidth": 0.7,
-    "axes.axisbelow": True,
 }
 
 
@@ -59,6 +56,7 @@ def drawn(plot: DrawnPlot) -> str:
         canvas = Canvas(figsize=(SQUARE, SQUARE) if plot.equal else (WIDTH, HEIGHT))
         axes = canvas.add_subplot()
         give_room(canvas, [_draw(axes, plot)])
+        mark([axes])
         return svg_of(canvas)
 
 
@@ -71,6 +69,7 @@ def drawn_panels(panels: DrawnPanels) -> str:
         for upper, _ in pairwise(every):
             upper.set_xlabel("")
         give_room(canvas, legends)
+        mark(list(every))
         return svg_of(canvas)
 
 
@@ -82,10 +81,10 @@ def _draw(axes: Any, plot: DrawnPlot) -> str:
     if x_min < 0 < x_max:
         axes.axvline(0, color=SOFT, linewidth=0.8, zorder=1)
     named = _draw_curves(axes, plot)
-    for mark in plot.marks:
-        if mark.sign == "dot":
-            axes.plot([mark.x], [mark.y], "o", color=INK, markersize=4.5, zorder=4)
-        _name(axes, mark, plot)
+    for each in plot.marks:
+        if each.sign == "dot":
+            axes.plot([each.x], [each.y], "o", color=INK, markersize=4.5, zorder=4)
+        _name(axes, each, plot)
     if plot.logarithmic:
         _logarithmic(axes, plot)
     if plot.y_step:

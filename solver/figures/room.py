@@ -8,12 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from matplotlib.font_manager import FontProperties
-from matplotlib.textpath import text_to_path
+from solver.figures.axis_marks import numbers_of, text_size
 
 POINTS, BETWEEN = 72, 0.1
-SIZE = 10.5
-"""Of the texts; rooms are in points."""
 EDGE, TICK, LINE, DIGIT = 4.0, 7.0, 15.0, 5.3
 BELOW = 2
 """Columns of a legend below the axes."""
@@ -37,10 +34,10 @@ def give_room(canvas: Any, legends: Sequence[str]) -> None:
 
 def _room(axes: Any, legend: str) -> tuple[float, float, float, float]:
     """What is needed left of the axes, below, right and above."""
-    labels = [each.get_text() for each in axes.yaxis.get_ticklabels()]
+    _, labels, offset = numbers_of(axes.yaxis)
     left = EDGE + TICK + DIGIT * max(map(len, labels), default=0) + LINE * bool(axes.get_ylabel())
     bottom = EDGE + TICK + LINE + LINE * bool(axes.get_xlabel())
-    top = EDGE + LINE * bool(axes.yaxis.get_major_formatter().get_offset())
+    top = EDGE + LINE * bool(offset)
     right = EDGE + DIGIT
     names = [each.get_text() for each in axes.get_legend().get_texts()] if legend else []
     if legend == "beside":
@@ -52,7 +49,4 @@ def _room(axes: Any, legend: str) -> tuple[float, float, float, float]:
 
 def text_width(text: str) -> float:
     """Return how wide a text with formulas is, in points."""
-    if not text:
-        return 0.0
-    across, _, _ = text_to_path.get_text_width_height_descent(text, FontProperties(size=SIZE), ismath="$" in text)
-    return float(across)
+    return text_size(text)[0]

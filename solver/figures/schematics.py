@@ -37,7 +37,7 @@ def svg(schematic: Schematic) -> str:
     if layout is None:
         return ""
     x_min, x_max, y_min, y_max = bounds_of(layout)
-    with mpl.rc_context({**SETTINGS, "axes.grid": False}):
+    with mpl.rc_context(SETTINGS):
         canvas = Canvas(figsize=((x_max - x_min) * SCALE, (y_max - y_min) * SCALE))
         axes = canvas.add_axes((0.0, 0.0, 1.0, 1.0))
         _draw(axes, layout)

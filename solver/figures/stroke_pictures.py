@@ -29,7 +29,7 @@ TIKZ = {"ink": "", "thin": "gray, line width=0.4pt", "rod": "line width=1.2pt", 
 def svg(strokes: Sequence[Stroke]) -> str:
     """Return strokes as an SVG document, the same bytes for the same strokes."""
     x_min, x_max, y_min, y_max = bounds_of(strokes)
-    with mpl.rc_context({**SETTINGS, "axes.grid": False}):
+    with mpl.rc_context(SETTINGS):
         canvas = Canvas(figsize=((x_max - x_min) * CM * SCALE, (y_max - y_min) * CM * SCALE))
         axes = canvas.add_axes((0.0, 0.0, 1.0, 1.0))
         axes.set_xlim(x_min, x_max)

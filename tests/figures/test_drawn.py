@@ -11,10 +11,12 @@ from matplotlib import _mathtext
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure as Canvas
 from matplotlib.patches import Circle, Rectangle
+from matplotlib.text import Annotation
 
 from solver import figures
 from solver.derivation.figures import Curve, Diagram, DrawnCurve, DrawnPlot, Mark, Plot
 from solver.figures import plot_svg
+from solver.figures.axis_marks import mark
 from solver.figures.drawing import drawing_of
 from solver.figures.layout import HEIGHT, RADIUS, Block, Dot, Label, Layout, Sum, Wire
 from solver.figures.layouts import LAYOUTS
@@ -202,8 +204,11 @@ def test_marks_axes_names_and_the_window_are_drawn(axes_of):
     assert (*axes.get_xlim(), *axes.get_ylim()) == (x_min, x_max, y_min, y_max)
     marks = {tuple(line.get_xydata()[0]) for line in axes.lines if len(line.get_xdata()) == 1}
     assert marks == {(1, 2), (3, 3)}
-    named = {text.get_text(): text.xy for text in axes.texts if text.get_text()}
-    assert named == {"$p$": (1, 2)}
+    texts = [text for text in axes.texts if text.get_text()]
+    assert {text.get_text(): text.xy for text in texts if isinstance(text, Annotation)} == {"$p$": (1, 2)}
+    numbers = [text.get_text() for text in texts if not isinstance(text, Annotation)]
+    assert "0" in numbers
+    assert all(min(x_min, y_min) <= float(each.replace("−", "-")) <= max(x_max, y_max) for each in numbers)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("$t$", "$y$")
     assert any(list(line.get_ydata()) == [0, 0] for line in axes.lines)
     assert width > height
@@ -214,6 +219,30 @@ def test_marks_axes_names_and_the_window_are_drawn(axes_of):
     assert [float(window[name]) for name in ("xmin", "xmax", "ymin", "ymax")] == pytest.approx(
         [x_min, x_max, y_min, y_max]
     )
+
+
+def test_the_marks_of_axes_are_those_that_matplotlib_makes(monkeypatch):
+    def seen_with(marking):
+        drawn_axes = []
+        monkeypatch.setattr(plot_svg, "mark", lambda every: (marking(every), drawn_axes.extend(every)))
+        for plot in (GROWTH, Plot("", "t", "y", t, 0, 3, (Curve(12345678 + 1000 * t),))):
+            plot_svg.drawn(sampled(plot))
+        return drawn_axes
+
+    own, theirs = seen_with(mark), seen_with(lambda _: None)
+    for mine, plain in zip(own, theirs, strict=True):
+        numbers = [each.get_text() for each in mine.texts if not isinstance(each, Annotation)]
+        listed = [
+            each.label1.get_text()
+            for axis in (plain.xaxis, plain.yaxis)
+            for each in axis.get_major_ticks()
+            if axis.get_view_interval()[0] <= each.get_loc() <= axis.get_view_interval()[1]
+        ]
+        offsets = [axis.get_major_formatter().get_offset() for axis in (plain.xaxis, plain.yaxis)]
+        assert sorted(numbers) == sorted([*listed, *filter(None, offsets)])
+        for axis, other in ((mine.xaxis, plain.xaxis), (mine.yaxis, plain.yaxis)):
+            place = axis.label.get_window_extent().p0
+            assert place == pytest.approx(other.label.get_window_extent().p0, abs=0.6)  # points
 
 
 @pytest.mark.parametrize(("low", "high", "axis"), [(-1, 1, True), (0, 1, False), (1, 2, False), (-2, 0, False)])
