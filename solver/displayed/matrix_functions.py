@@ -72,7 +72,7 @@ def with_matrices(value: Any, matrices: Mapping[str, Any]) -> Any:
         return Stated(value.operation, tuple(with_matrices(each, matrices) for each in value.operands))
     if not isinstance(value, sp.Expr):
         return value
-    inside: list[Any] = [symbol for symbol in numeric.free_symbols(value) if str(symbol) in matrices]
+    inside: list[Any] = [symbol for symbol in numeric.free_symbols(value) if symbol.name in matrices]
     if len(inside) != 1:
         return value
     found = _written(value, inside[0], matrices[inside[0].name])

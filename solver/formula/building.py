@@ -32,7 +32,7 @@ THIN_SPACE = Space(r"\,")
 DOTS = frozenset((r"\dot", r"\ddot", r"\dddot"))
 """Marks under which a name stays a name: the square of a derivative needs no parentheses."""
 _LEAVES = frozenset((Function, Number, Operator, Space, Symbol, Text))
-_IN_SUMS = frozenset(map(Operator, ("+", "-", r"\pm", r"\otimes", r"\circ", r"\ast", r"\approx", "=")))
+_IN_SUMS = frozenset(("+", "-", r"\pm", r"\otimes", r"\circ", r"\ast", r"\approx", "="))
 
 
 def row(*parts: Node | str) -> Row:
@@ -80,7 +80,7 @@ def _is_tall(node: Node) -> bool:
 
 def is_sum(formula: Row) -> bool:
     """Whether a formula must stand in parentheses as a factor: it has a sign outside of all brackets."""
-    return any(item in _IN_SUMS for item in formula.items)
+    return any(isinstance(item, Operator) and item.sign in _IN_SUMS for item in formula.items)
 
 
 def is_negative(formula: Row) -> bool:

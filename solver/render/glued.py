@@ -15,7 +15,14 @@ _BEHIND = re.compile(r"\A[.,;:!?)\]”’»…]+")
 
 def glued(found: Iterable[Token]) -> list[Token]:
     """Return the tokens with each formula in one span with the punctuation at it; those given stay as they are."""
-    return [token.copy(children=list(_children(token.children))) if token.children else token for token in found]
+    return list(map(_glued, found))
+
+
+def _glued(token: Token) -> Token:
+    children = token.children or []
+    if not any(_is_formula(children, place) for place in range(len(children))):
+        return token
+    return token.copy(children=list(_children(children)))
 
 
 def _children(children: Sequence[Token]) -> Iterator[Token]:

@@ -204,6 +204,9 @@ def _add_rate(rank: _Rank, rate: float, name: str) -> None:
 @lru_cache(maxsize=4096)
 def _linear(argument: Any) -> tuple[float, str]:
     """Return the real part of c of an argument c t, and the name of a c with parameters."""
+    number, rest = argument.as_coeff_Mul()
+    if rest.is_Symbol and rest.name in TIME:  # as nearly always, where `coeff` takes long
+        return _real(number)
     time = next((symbol for symbol in argument.free_symbols if symbol.name in TIME), None)
     return _real(argument.coeff(time)) if time is not None else (0.0, "")
 
@@ -224,7 +227,10 @@ def _mean_root(base: Any) -> tuple[float, str]:
     variable = next((symbol for symbol in base.free_symbols if symbol.name in POLYNOMIAL), None)
     if variable is None:
         return 0.0, ""
-    if variable not in (rest := base - variable).free_symbols:  # x + c, nearly always
+    number, rest = base.as_coeff_Add()
+    if rest == variable:  # nearly always
+        return _real(-number)
+    if variable not in (rest := base - variable).free_symbols:
         return _real(-rest)
     if not base.is_polynomial(variable):
         return 0.0, ""
@@ -235,6 +241,8 @@ def _mean_root(base: Any) -> tuple[float, str]:
 
 
 def _real(number: Any) -> tuple[float, str]:
+    if number.is_Rational:
+        return float(number), ""
     if number.is_number:
         return complex(number).real, ""
     return 0.0, str(number)

@@ -94,6 +94,7 @@ def prose(context: Context, markdown: str) -> Markup:
     return Markup(to_html(markdown, drawn, document.images if document else {}))  # noqa: S704 - `to_html` escapes all text, `drawn` all formulas
 
 
+@lru_cache(maxsize=1024)  # titles, claims and names of oracles are those of other parts
 def inline(markdown: str) -> Markup:
     """Return one line of Markdown with `$math$` as HTML to stand inside a heading or a cell."""
     return Markup(inline_html(markdown, drawn))  # noqa: S704 - as above

@@ -56,6 +56,7 @@ class Box:
         return " ".join(self.lines)
 
 
+@lru_cache(maxsize=1024)  # most are letters, numbers and signs
 def text_box(text: str) -> Box:
     """Return a box of one line."""
     return Box((text,))
