@@ -2,10 +2,12 @@
 
 import json
 import shutil
+from contextlib import chdir
 from types import SimpleNamespace
 
 import pytest
 
+from solver.cli import main
 from solver.cli.kept import hash_of_folder
 from solver.papers.judging import Rejection
 from solver.papers.kept import keep_drawn
@@ -26,6 +28,21 @@ def state(folder):
 
 def bytes_of(folder):
     return {name: content for name, (content, _) in state(folder).items()}
+
+
+@pytest.fixture(scope="module")
+def once(tmp_path_factory):
+    """A folder in which the exam was made."""
+    folder = tmp_path_factory.mktemp("exam")
+    with chdir(folder):
+        assert main(["exam", write_exam(folder)]) == 0
+    return folder
+
+
+@pytest.fixture
+def made(once, tmp_path):
+    """The exam was made in this folder: what it was made of, with what was kept, stands here as it was left."""
+    shutil.copytree(once, tmp_path, dirs_exist_ok=True)
 
 
 def test_nothing_is_solved_or_written_again(solve, tmp_path, called):
@@ -63,10 +80,7 @@ def test_what_kept_a_family_from_having_enough_members_is_told_again(solve, tmp_
     assert solve("exam", "exam.yaml") == first
 
 
-def test_a_question_that_changed_is_solved_alone(solve, tmp_path, called):
-    write_exam(tmp_path)
-    assert solve("exam", "exam.yaml").code == 0
-    called.clear()
+def test_a_question_that_changed_is_solved_alone(solve, made, tmp_path, called):
     (tmp_path / "step.yaml").write_text(PROBLEM.replace("s+4", "s+5"), encoding="utf-8")
     assert solve("exam", "exam.yaml").code == 0
     assert [text for name, text in called if name == "question_made"] == [PROBLEM.replace("s+4", "s+5")]
@@ -79,9 +93,7 @@ def test_a_question_that_changed_is_solved_alone(solve, tmp_path, called):
     }
 
 
-def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, called):
-    write_exam(tmp_path)
-    assert solve("exam", "exam.yaml").code == 0
+def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, made, tmp_path, called):
     before = bytes_of(tmp_path / OUT)
     (tmp_path / OUT / "papers" / "paper-1.html").write_text("mine", encoding="utf-8")
     (tmp_path / OUT / "keys" / "key-2.html").unlink()
@@ -92,7 +104,7 @@ def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, c
 
 
 @pytest.mark.parametrize(
-    ("changed", "made"),
+    ("changed", "called_again"),
     [
         (lambda text: text.replace("Final", "Second"), {"_written"}),
         (lambda text: text.replace("duration: 120", "duration: 90"), {"_written"}),
@@ -101,17 +113,13 @@ def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, c
         (lambda text: f"# a comment\n{text}", set()),
     ],
 )
-def test_what_depends_on_a_change_is_made(solve, tmp_path, called, changed, made):
-    write_exam(tmp_path)
-    assert solve("exam", "exam.yaml").code == 0
-    called.clear()
+def test_what_depends_on_a_change_is_made(solve, made, tmp_path, called, changed, called_again):
     write_exam(tmp_path, changed(EXAM))
     assert solve("exam", "exam.yaml").code == 0
-    assert {name for name, _ in called} == made
+    assert {name for name, _ in called} == called_again
 
 
-def test_what_cannot_be_read_is_made_again(solve, tmp_path, called):
-    write_exam(tmp_path)
+def test_what_cannot_be_read_is_made_again(solve, made, tmp_path, called):
     first = solve("exam", "exam.yaml")
     before = bytes_of(tmp_path / OUT)
     for number, path in enumerate(sorted((tmp_path / OUT / ".solve").iterdir())):
@@ -125,9 +133,7 @@ def test_what_cannot_be_read_is_made_again(solve, tmp_path, called):
     assert bytes_of(tmp_path / OUT) == before
 
 
-def test_what_is_not_needed_any_more_is_taken_away(solve, tmp_path):
-    write_exam(tmp_path)
-    solve("exam", "exam.yaml")
+def test_what_is_not_needed_any_more_is_taken_away(solve, made, tmp_path):
     before = {each.name for each in (tmp_path / OUT / ".solve").iterdir()}
     write_exam(tmp_path, EXAM.replace("seed: 2026", "seed: 1"))
     solve("exam", "exam.yaml")
@@ -154,9 +160,7 @@ def test_templates_count(solve, tmp_path, called):
     assert "_written" in {name for name, _ in called}
 
 
-def test_more_variants_keep_those_there_are(solve, tmp_path, called):
-    write_exam(tmp_path)
-    solve("exam", "exam.yaml")
+def test_more_variants_keep_those_there_are(solve, made, tmp_path, called):
     before = bytes_of(tmp_path / OUT)
     called.clear()
     write_exam(tmp_path, EXAM.replace("count: 2", "count: 3"))
