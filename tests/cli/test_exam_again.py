@@ -16,6 +16,7 @@ from tests.papers.conftest import FAMILY
 from tests.papers.exams import EXAM, PROBLEM, write_exam
 
 OUT = "exam-papers"
+pytestmark = pytest.mark.xdist_group("exam_again")  # one exam serves all
 
 
 def state(folder):

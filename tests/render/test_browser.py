@@ -24,6 +24,8 @@ from solver.tasks import catalogue
 from tests.helpers.sample_pages import SHORT, TALL, hostile, sample
 from tests.helpers.solved import PROBLEMS, by_problem, document_of_problem
 
+pytestmark = pytest.mark.xdist_group("browser")  # one browser serves all
+
 FLAGS = (
     "--no-sandbox",
     "--disable-gpu",

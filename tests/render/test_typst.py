@@ -79,7 +79,7 @@ def test_the_option_names_the_engines():
 
 
 @pytest.mark.usefixtures("typst")
-@pytest.mark.parametrize(**by_problem(EXAMPLES, [an_example("lqr"), an_example("op-amp-stages")], of=8))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, [an_example("lqr"), an_example("op-amp-stages")], of=16))
 def test_every_formula_figure_and_table_is_typeset_and_has_words(path):
     """PDF/UA-1 is refused where a picture or a formula has no words, a letter has no glyph or a heading is skipped."""
     document = document_of_problem(path)
