@@ -205,7 +205,9 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
             minors.append([])
             for k in range(1, each.P.rows + 1):
                 block = sp.ImmutableMatrix(each.P[:k, :k])
-                minor = exact.determinant(block)
+                minor = _minor(block)
+                if minor is None:
+                    return _by_eigenvalues(solutions, words)
                 minors[-1].append((minor, _sign(minor)))
                 of_which = f"(P_{{{number}}})" if len(solutions) > 1 else ""
                 lines += worked_out(f"\\Delta_{{{k}}}{of_which}", block, minor)
@@ -216,6 +218,16 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
     if not minors or undecided or any(each[-1][1] == 0 for each in minors):
         return _by_eigenvalues(solutions, words)
     return Step("definiteness", claims=claims, words=words, minors=minors, steps=tuple(lines))
+
+
+def _minor(block: ImmutableMatrix) -> Expr | None:
+    """The determinant of a leading block; None where its letters stand below roots that allow no exact arithmetic."""
+    if block.rows == 1:
+        return block[0, 0]
+    try:
+        return exact.determinant(block)
+    except exact.NotExact:
+        return None
 
 
 def _sign(minor: Expr) -> int:
