@@ -55,7 +55,7 @@ def residuals(
         difference = np.where(l_value == r_value, 0.0, difference)  # ∞ = ∞
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
     scale = np.maximum(size, noise / tolerance)
-    residual = difference / np.where(scale == 0, 1.0, scale)
+    residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))  # the noise may be unknown
     if arithmetic is not DOUBLE and np.isinf(size).any():
         residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
     agree = difference <= tolerance * size

@@ -7,11 +7,12 @@ import sympy as sp
 
 from solver.numeric import NotEvaluable
 from solver.numeric.evaluation.arithmetic import DOUBLE, multiple
+from solver.numeric.evaluation.compare import residuals
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import PointSource, free_symbols, whole_symbols
 from solver.numeric.evaluation.precision import is_sampled
-from solver.numeric.evaluation.values import SAFETY, Undefined
+from solver.numeric.evaluation.values import SAFETY, Undefined, Value
 from solver.stated import Stated
 from tests.stated.test_every_operation import RIGHT, name_of
 
@@ -115,3 +116,14 @@ def test_the_rounding_of_derivatives_of_an_unknown_function_grows_with_them(orde
 def test_the_rounding_of_the_argument_of_an_unknown_function_counts():
     _, magnitude = at(sp.Function("q")(SPOILED))
     assert magnitude > LARGE / 4
+
+
+@pytest.mark.parametrize("arithmetic", [DOUBLE, multiple(50)])
+def test_equal_values_agree_whatever_is_known_of_their_rounding(arithmetic):
+    """What e^(-8750/T) times its large factor is made of can be too large to tell how much rounding it explains."""
+    left, right = (Value(arithmetic.number(2), size) for size in (np.nan, 2.0))
+    residual, settled = residuals(left, right, 1, arithmetic)
+    assert residual[0, 0] == 0
+    assert settled.all()
+    unequal, _ = residuals(left, Value(arithmetic.number(3), 3.0), 1, arithmetic)
+    assert not unequal[0, 0] <= 1e-10
