@@ -51,7 +51,7 @@ def roots_given(polynomial: Expr, x: Any, asked: Sequence[Expr]) -> Reason | Non
     if polynomial.free_symbols - {x} or not polynomial.is_polynomial(x):
         return None
     found, wanted = told(_roots(sp.Poly(polynomial, x))), told(asked)
-    return None if found == wanted else Reason("meanings/roots", {"found": found, "wanted": wanted})
+    return None if found == wanted or not found else Reason("meanings/roots", {"found": found, "wanted": wanted})
 
 
 def _roots(p: Any) -> list[Any]:

@@ -1,7 +1,8 @@
 """What students write, right (+) and wrong (-), by the problem; its truth was found by hand.
 
 A file of `students` has problems: "=== name", the problem (or "FILE" and its path), "---", then each answer with what
-was typed for it; answers that belong together stand with "&", their values with "&&".
+was typed for it; answers that belong together stand with "&", their values with "&&". A value on several lines has ⏎
+between them, "fold " before it where no | stands above them; ⇥ is a tab.
 """
 
 import re
@@ -23,6 +24,10 @@ ALWAYS = ("angles", "motion")
 
 def in_yaml(typed):
     """A value as it stands in an answer file: as it is typed, in quotes where YAML would refuse it."""
+    typed = typed.replace("⇥", "\t")
+    if "⏎" in typed:
+        sign = "" if typed.startswith("fold ") else "|"
+        return sign + "".join(f"\n      {line}" for line in typed.removeprefix("fold ").split("⏎"))
     try:
         if typed.startswith(("raw ", "[", "{")) and yaml.safe_load(f"a: {typed.removeprefix('raw ')}"):
             return typed.removeprefix("raw ")

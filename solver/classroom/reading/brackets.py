@@ -49,6 +49,21 @@ def enclosed(text: str, brackets: str = "[]") -> bool:
     return text[:1] == brackets[0] and text[-1:] == brackets[1] and matching(text, 0) == len(text) - 1
 
 
+def closed(text: str) -> str:
+    """Return a text with the bracket that is missing at its end, or without the one too many there; "" of any other."""
+    left = [sign for sign in text if sign in OPENING + CLOSING]
+    kinds = dict(zip(OPENING, CLOSING, strict=True))
+    still: list[str] = []
+    for sign in left:
+        if sign in OPENING:
+            still.append(kinds[sign])
+        elif still and still[-1] == sign:
+            still.pop()
+        else:
+            return text.rstrip()[:-1] if not still and text.rstrip().endswith(sign) and sign == left[-1] else ""
+    return text + still[0] if len(still) == 1 else ""
+
+
 def rows(text: str) -> list[str]:
     """Return what stands between ; and ends of lines, without blank rows; ... or a comma continues a line."""
     return [row for row in split(_CONTINUED.sub(" ", text), _ROW) if row.strip()]

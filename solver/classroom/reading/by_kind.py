@@ -16,6 +16,7 @@ from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import are_single, flat, is_trivial, labelled, lower, only, rows_of, text_of
 from solver.classroom.reading.prepared import with_powers, without_powers
 from solver.classroom.reading.segments import are_intervals, segments
+from solver.classroom.reading.spanned import spanned
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import Pair, TextReader
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -221,6 +222,7 @@ class KindReader:
                     forms[-1].append(form)
         report.conclude()
         read = sp.ImmutableMatrix(values), sp.ImmutableMatrix(forms)
+        read = self._renamed(read, spanned(read, self._known, self.expected))
         return self._turned(*self._renamed(read, polynomials.in_usual_letter(read, ours, self._known)), ours)
 
     def _nothing(self, node: Node, ours: sp.MatrixBase) -> Any:
@@ -248,9 +250,8 @@ class KindReader:
 
     def _says_none(self, node: Node) -> bool:
         """Whether a text says that there is no such value."""
-        if not isinstance(node, ScalarNode):
-            return False
-        return words.is_none(node.text, self.expected.name) or words.is_missing(node.text)
+        text = node.text if isinstance(node, ScalarNode) else ""
+        return words.is_none(text, self.expected.name) or words.is_missing(text)
 
     def _value(self, node: Node, ours: Any) -> Pair:
         """An expression; a polynomial also by its coefficients, or in another variable."""

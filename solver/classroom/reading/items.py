@@ -13,6 +13,7 @@ from solver.classroom.reading.texts import TextReader
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 _PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
+_COUNTS = tuple(map(str, range(1, 10)))
 _DOTS = re.compile(r"\s*[,;]?\s*(?:\.{2,}|…|\\[lc]?dots|etc\.?|usw\.?)\s*([\])}]?)\s*$")
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
 
@@ -29,8 +30,21 @@ def items_of(node: Node, texts: TextReader) -> Sequence[Node]:
     """Return the items of a list; of a diagonal matrix perhaps what stands on its diagonal."""
     if not isinstance(node, SequenceNode):
         return (node,)
+    if counted := _counted(node):
+        return texts.choices.choose("counted", (counted, node.items))
     diagonal = diagonal_of(node)
     return texts.choices.choose("diagonal", (diagonal, node.items)) if diagonal else node.items
+
+
+def _counted(node: SequenceNode) -> Sequence[Node]:
+    """Values that stand in pairs with their multiplicity, [(-1, 1), (-2, 2)], as often as they count; else nothing."""
+    pairs = [each.items for each in node.items if isinstance(each, SequenceNode) and len(each.items) == 2]
+    if not pairs or len(pairs) != len(node.items):
+        return ()
+    counts = [count.text.strip() for _, count in pairs if isinstance(count, ScalarNode)]
+    if len(counts) != len(pairs) or not all(each in _COUNTS for each in counts):
+        return ()
+    return [value for (value, _), count in zip(pairs, counts, strict=True) for _ in range(int(count))]
 
 
 def words_of(node: ScalarNode) -> Node:

@@ -29,7 +29,7 @@ _MULTIPLE = re.compile(
     r"|doppelt(?:er? (?:pol|eigenwert|nullstelle))?|zweifach|triple|dreifach|repeated twice"
     r"|once|simple|einfach"
     r"|(?:with |mit |of )?(?:(?:algebraic|alg\.?|algebraische?) )?"
-    r"(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?)\s*(?:=|of)?\s*(\d{1,2}))"
+    r"(?:(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?|a\.?\s?[mv]\.?|order|ordnung)\s*(?:=|of)?|[mνμ]\s*=)\s*(\d{1,2}))"
     r"|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
     re.IGNORECASE,
 )
@@ -64,10 +64,12 @@ _NAMES = re.compile(r"[\[({]\s*[^\W\d]\w*(?:\s*[,;\s]\s*[^\W\d]\w*)+\s*[\])}]")
 _LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞")
 _ARGUMENTS = re.compile(r"(?<=[\w}*'])\s*\(([^()=]*)\)$")
 _VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
-_FOUND_BY = re.compile(r"\s*(?:\w+\.)*\\?(?:det|expm|charpoly|poly|minreal|tf|ss2tf|step|lim)\b")
+_OF_A = re.compile(r"(?=.*\bA\b)[\d\s+*/^(){}·−AIest-]+")
+"""What is found from A: e^(-2t) (A + 3I) - e^(-3t) (A + 2I), A^2 + 3A + 2I."""
+_FOUND_BY = re.compile(r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|charpoly|poly|minreal|tf|ss2tf|step|lim)\b")
 _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
 _DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
-_SIMILAR = re.compile(r"T\s*\^[({]?-1[)}]?\s*(?:A\s*T|B)|C\s*T")
+_SIMILAR = re.compile(r"\s*(?:(?:T\s*\^[({]?-1[)}]?|inv\(T\)|T\s*\\)\s*\*?\s*(?:A\s*\*?\s*T|B)|C\s*\*?\s*T)\s*")
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
 _WORDS = re.compile(r"[^\W\d]\w*")
 _DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
@@ -103,6 +105,8 @@ class Labels:
         if found is None or "=" in found[2].strip("= ") or enclosed(text.strip(), "{}"):
             return text, False
         label = _normal(found[1])
+        if _SIMILAR.fullmatch(found[1]):
+            return found[2].strip(), True
         if _DENIES.search(found[1]) or _CHANGES.match(found[1]):
             raise ForeignLabelError(f"it is not clear what {found[1].strip()} says of it")
         if found[1].startswith("lambda "):  # a function of Python
@@ -131,6 +135,8 @@ class Labels:
             return True
         if _CHANGES.match(text):
             return False
+        if _OF_A.fullmatch(text) and "a" not in map(str.lower, self.own):
+            return True
         letters = {_letter(each).lower() for each in self.own}
         if letters & {_letter(_normal(each)).lower() for each in re.findall(r"[^\W\d_]+", text)}:
             return False
@@ -151,7 +157,7 @@ def changes(label: str) -> bool:
 def of_another_argument(text: str, *, of_a_variable: bool, at_its_end: bool) -> bool:
     """Whether a text is labelled y(2t), G(-s), y'(t) or s G(s), or y(0) where the end is asked for."""
     found = _LABEL.match(text)
-    if found is None or not (of_a_variable or at_its_end) or _FOUND_BY.match(found[1]):
+    if found is None or not (of_a_variable or at_its_end) or _FOUND_BY.match(found[1]) or _OF_A.fullmatch(found[1]):
         return False
     label = found[1].strip()
     argument = _ARGUMENTS.search(label)

@@ -19,6 +19,8 @@ _FACTOR = re.compile(r"(?<![A-Za-z\\])([a-z])(\d+\^)")  # k3^{k-1}
 _OVER = re.compile(r"\{([^{}]*)\\over(?![a-z])([^{}]*)\}")
 _WHOLE_OVER = re.compile(r"^\{?([^{}=]*)\\over(?![a-z])([^{}=]*?)\}?$")
 _MATRICES = {"matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "smallmatrix", "array"}
+_OF_TEX = {"matrix", "pmatrix", "mqty", "pmqty", "bmqty", "vmqty", "smqty", "Bmqty"}
+"""Commands for matrices, of plain TeX and of the package physics, with the entries in brackets behind them."""
 _LINES = {"aligned", "align", "equation", "gather", "gathered", "split", "cases"}
 _SIGNS = {
     **{"cdot": "*", "times": "*", "ast": "*", "div": "/", "pm": "±", "mp": "±", "infty": " inf ", "imath": " i "},
@@ -48,6 +50,8 @@ _NOTHING = {"left", "right", "bigl", "bigr", "Bigl", "Bigr", "big", "Big", "bigg
             "displaystyle", "textstyle", "limits", "nolimits", "hline", "quad", "qquad", "hfill", "middle"}  # fmt: skip
 _CONTENT = {"mathrm", "text", "textrm", "mathbf", "mathit", "mathsf", "operatorname", "boldsymbol", "bm", "mathcal",
             "mbox", "bar", "tilde", "overline", "boxed", "underline", "mathbb", "vec", "textbf", "textit"}  # fmt: skip
+_DROPPED = {"phantom", "hphantom", "vphantom", "hspace", "vspace", "mspace", "label", "tag", "color", "cline", "rule"}
+"""Commands whose argument is not seen."""
 _DERIVATIVES = {"dot": "_dot", "ddot": "_ddot", "dddot": "_dddot"}
 _NAMES = {"arcsin": " asin ", "arccos": " acos ", "arctan": " atan "}
 _WORDS = {
@@ -155,11 +159,23 @@ class _Translator:
         if name in ("frac", "dfrac", "tfrac", "cfrac"):
             above, below = self.argument(), self.argument()
             return f"(({above})/({below}))"
+        if name in ("binom", "dbinom", "tbinom"):
+            return f"[{self.argument()}; {self.argument()}]"
         if name == "sqrt":
             return self.root()
         if name in _DERIVATIVES:
             return f" {self.argument().strip()}{self.following_index()}{_DERIVATIVES[name]} "
-        return self.argument() if name in _CONTENT else self.word(name)
+        return self.of_argument(name)
+
+    def of_argument(self, name: str) -> str:
+        """Return what a command makes of the one argument that counts; of a command without arguments, its sign."""
+        if name in _OF_TEX:
+            return self.nested(self.matrix_of_tex)
+        if name in _DROPPED:
+            return " " * bool(self.argument())
+        if name == "textcolor":
+            self.argument()
+        return self.argument() if name in _CONTENT or name == "textcolor" else self.word(name)
 
     def following_index(self) -> str:
         """Read the index of x behind the one that has dots."""
@@ -184,14 +200,26 @@ class _Translator:
 
     def environment(self, name: str) -> str:
         """Read a matrix as [a, b; c, d], lines as they stand."""
-        kind, end = name.rstrip("*"), f"\\end{{{name}}}"
+        kind, end = name.rstrip("*").replace("NiceMatrix", "matrix"), f"\\end{{{name}}}"
         if kind not in _MATRICES | _LINES:
             raise NotReadableError(f"the LaTeX environment {name[:40]} is not read")
+        if kind not in _LINES and self.peek() == "[":  # where the entries stand in their columns
+            self.until(lambda each: each == "]")
         if kind == "array" and self.peek() == "{":
             self.argument()
         if kind in _LINES:
             return self.nested(lambda: self.until(lambda each: each == end))
         return self.nested(lambda: self.matrix(end))
+
+    def matrix_of_tex(self) -> str:
+        """Read the matrix in the brackets behind a command; raises NotReadableError where their end is not clear."""
+        while self.peek().isspace():
+            self.take()
+        end = {"{": "}", "[": "]", "(": ")"}.get(opening := self.take() if self.peek() else "")
+        following = self.tokens[self.at :]
+        if end is None or (end != "}" and opening in following[: following.index(end) if end in following else 0]):
+            raise NotReadableError("the entries of a LaTeX matrix are expected in braces")
+        return self.matrix(end)
 
     def matrix(self, end: str) -> str:
         cells, last = [""], [""]
@@ -211,7 +239,7 @@ class _Translator:
 
     def ends_cell(self, token: str, end: str, last: list[str]) -> bool:
         """Whether a token ends a cell; `last` keeps it."""
-        if token not in ("&", "\\\\", end):
+        if token not in ("&", "\\\\", "\\cr", end):
             last[0] = ""
             return False
         last[0] = token

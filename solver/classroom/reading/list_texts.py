@@ -4,6 +4,12 @@ from __future__ import annotations
 
 import re
 
+_COLUMN = re.compile(r"\s*[\[(]([^\[\]();,]+(?:;[^\[\]();,]+)+)[\])]\s*")
+_NAMED = re.compile(r"\s*([^\W\d]\w*)\s*[:=]\s*([^:=]*\S)\s*")
+_CALL = re.compile(
+    r"^\s*(?:\w+\.)*(?:roots|eig\w*|Eigenvalues|poles?|zeros?|tzero|spec|solve|Solve)\s*"
+    r"(?:\([^()]*\)|\[[^\[\]]*\])\s*=\s*(?=[-+−±\d\[{(])"
+)
 _CONJUGATE = re.compile(
     r"\s*(?:,|\+|\band\b|\bund\b|\bplus\b)\s*(?:its |the |das |ihre?\w* |\()?\s*"
     r"(?:(?:complex |komplex )?conj(?:ugates?|\.)?"
@@ -14,7 +20,9 @@ _IMAGINARY = re.compile(r"^(.*?)([-+−])(\s*(?:[ij][^-+−,;]*|[^-+−,;]*[ij])
 _MULTIPLICITY = re.compile(
     r",\s*((?:alg\w*\.?\s*)?(?:mult\w*\.?|vielfachheit|vfh\.?)\s*(?:=|of)?\s*\d)(?=\s*(?:[,;.]|$))", re.IGNORECASE
 )
-_GEOMETRIC = re.compile(r",\s*geom\w*\.?\s*(?:mult\w*\.?|vielfachheit|vfh\.?)\s*(?:=|of)?\s*\d(?=\s*\))", re.IGNORECASE)
+_GEOMETRIC = re.compile(
+    r",\s*(?:geom\w*\.?\s*(?:mult\w*\.?|vielfachheit|vfh\.?)|g\.?\s?[mv]\.?)\s*(?:=|of)?\s*\d(?=\s*\))", re.IGNORECASE
+)
 _EACH = re.compile(
     r"^([^:=]*?)[,:]?\s+\(?(?:each|both|jeweils|beide)\s+(?:(?:with|of|mit)\s+)?(?:(?:algebraic\s+)?(?:multiplicity|mult\.|"
     r"vielfachheit)\s*(\d)|double|twice|doppelt)\)?\s*\.?$",
@@ -66,3 +74,16 @@ def joined_alternatives(text: str) -> str:
 def joined_sets(text: str) -> str:
     """Return {-1, -2} for {-1} ∪ {-2}."""
     return _SETS.sub(", ", text)
+
+
+def behind_call(text: str) -> str:
+    """Return the values of roots([1 3 2]) = -1, -2, without what finds them."""
+    return _CALL.sub("", text)
+
+
+def as_point(text: str) -> str:
+    """Return (1, 2) of the column [1; 2], and x = 1, y = 2 of these lines with colons; "" of any other text."""
+    if found := _COLUMN.fullmatch(text):
+        return f"({found[1].replace(';', ', ')})"
+    lines = [_NAMED.fullmatch(line) for line in text.strip().split("\n")]
+    return ", ".join(f"{line[1]} = {line[2]}" for line in lines if line) if len(lines) > 1 and all(lines) else ""

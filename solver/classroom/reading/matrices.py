@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, rows, split
 from solver.classroom.reading.choices import Choices
@@ -17,13 +18,14 @@ from solver.classroom.reading.latex import NotReadableError, is_latex, translate
 from solver.classroom.reading.operations import combined, transposition
 from solver.classroom.reading.programs import in_our_brackets, inside_idle_call
 from solver.classroom.reading.spelling import typed
+from solver.classroom.reading.stacked import stacked
 from solver.classroom.reading.vectors import beside, pieces_of
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
 
 MAX_DEPTH = 4
 _MAKER = re.compile(
     r"(?:[A-Za-z_]\w*\.)*(?:Immutable)?(?:Sparse|Dense)?"
-    r"(?:[Mm]atrix|poly1d|n?d?array|asarray|Array|mat|list|tuple|set|frozenset|[Vv]ector(?:\[(?:row|column)\])?|MatrixForm|FiniteSet)\s*[(\[]"
+    r"(?:[Mm]atrix|poly1d|n?d?array|asarray|asmatrix|Array|mat|list|tuple|set|frozenset|[Vv]ector(?:\[(?:row|column)\])?|MatrixForm|FiniteSet)\s*[(\[]"
 )
 _KEYWORD = re.compile(r"\s*[A-Za-z_]\w*\s*=")
 _PAIR = re.compile(r"\s*(?::=|[:=])\s*")
@@ -69,7 +71,7 @@ class Unfolding:
         if len(node.items) == 1 and plain and len(pieces[0]) > 1:
             (only,) = node.items
             return SequenceNode(node.place, tuple(self._leaves(only, typed(only))), node.braces)
-        if self.grid and plain and all(len(each) > 1 and are_numbers(each) for each in pieces):
+        if self.grid and all(len(each) > 1 and are_numbers(each) for each in pieces):
             rows_ = [SequenceNode(node.place, tuple(_leaves(node, each))) for each in pieces]
             return SequenceNode(node.place, tuple(rows_))
         for item in node.items:
@@ -101,12 +103,9 @@ class Unfolding:
             text = _JOINED.sub(", ", in_our_brackets(text))
             if (vectors := self._vectors(node, text)) is not None:
                 return vectors
-            text = _VECTOR.sub(r"\1", text)
+            text = _VECTOR.sub(partial(_without_name, text), text)
             if _SPAN.match(text):
-                inside = _SPAN.sub("", text, count=1)
-                called = enclosed(inside, "()") and inside[1:-1].lstrip().startswith("[")
-                vectors = self.text(node, f"{{{inside[1:-1]}}}" if called else inside, 1)
-                return vectors if ";" in text else _columns(vectors)
+                return self._spanned(node, _SPAN.sub("", text, count=1))
         while enclosed(text, "()") and enclosed(text[1:-1].strip()):
             text = text[1:-1].strip()
         tuple_ = enclosed(text, "()") and self._is_tuple(text[1:-1])
@@ -115,6 +114,14 @@ class Unfolding:
         if enclosed(text, "[]") or enclosed(text, "{}") or tuple_:
             return self._bracketed(node, text[1:-1], depth, braces=text.startswith("{"))
         return self._called(node, text, depth) or _leaf(node, text)
+
+    def _spanned(self, node: Node, inside: str) -> Node:
+        """The matrix of the vectors in span{…}."""
+        if (vectors := self._vectors(node, inside)) is not None:
+            return vectors
+        called = enclosed(inside, "()") and inside[1:-1].lstrip().startswith("[")
+        vectors = self.text(node, f"{{{inside[1:-1]}}}" if called else inside, 1)
+        return vectors if ";" in inside else _columns(vectors)
 
     def _vectors(self, node: Node, text: str) -> Node | None:
         """The matrix of vectors that are listed one by one; None of anything else."""
@@ -136,6 +143,8 @@ class Unfolding:
             return read(kept)
         if (turned := transposition(text, read)) is not None:
             return turned
+        if self.grid and (made := stacked(text, read)) is not None:
+            return made
         if (found := _MAKER.match(text)) and matching(text, found.end() - 1) == len(text) - 1:
             return self._made(node, text[found.end() : -1], depth)
         if self.grid and (whole := combined(node, text, read)) is not None:
@@ -156,6 +165,8 @@ class Unfolding:
     def _made(self, node: Node, text: str, depth: int) -> Node:
         """What stands in Matrix(…): lists, or their size and a flat list; keywords such as dtype are left out."""
         arguments = [piece.strip() for piece in split(text, ",") if not _KEYWORD.match(piece)]
+        if len(arguments) == 2 and arguments[0].isdigit() and enclosed(arguments[1]):  # Vector[row](2, [1, 2])
+            return self.text(node, arguments[1], depth + 1)
         if len(arguments) == 3 and arguments[0].isdigit() and arguments[1].isdigit():
             flat = self.text(node, arguments[2], depth + 1)
             count = int(arguments[1])
@@ -208,6 +219,13 @@ def _columns(node: Node) -> Node:
     vectors = [line.items for line in lines if isinstance(line, SequenceNode)]
     flat = all(isinstance(entry, ScalarNode) for vector in vectors for entry in vector)
     return transposed(node) if isinstance(node, SequenceNode) and len(vectors) == len(lines) and flat else node
+
+
+def _without_name(text: str, found: re.Match[str]) -> str:
+    """What stands before the entries of a vector without its name; the name of one entry in brackets stays."""
+    inside = text[found.end() + 1 : matching(text, found.end())]
+    several = text[found.end()] == "[" or len(split(inside, re.compile("[,;]"))) > 1 or are_numbers(by_spaces(inside))
+    return found[1] if several else found[0]
 
 
 def _plain(node: ScalarNode, text: str) -> str:

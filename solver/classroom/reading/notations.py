@@ -66,7 +66,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\+\s*/\s*[-−]|[-−]\s*/\s*\+|∓", "±"),  # +/- for ±
         (r"[—–‒]", "-"),
         (r"[•∙˙]", "*"),
-        (r"⁄", "/"),
+        (r"⁄|(?<=\d)//(?=\d)", "/"),
         (r"√\s*(\d+(?:\.\d+)?)(?=\s+\w)", r" sqrt(\1)"),  # √3 t: the space ends the root
         (r"√", " sqrt "),
         (r"\b(?:np|numpy|math|cmath|sp|sympy)\.(?=[A-Za-z])", ""),  # np.exp(-t)
@@ -92,7 +92,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"(?<=\d)\.(?![\d.])", ""),  # numpy's 1.
         (r"\bexp\s*\^", "e^"),
         (r"\barc(?=(?:sin|cos|tan)\b)", "a"),
-        (r"((?<![A-Za-z_])[a-z]|\))\s+(\d+(?:\.\d+)?\^)", r"\1*\2"),  # k 3^(k-1), (1 + k) 0.5^k
+        (r"((?<![A-Za-z_])[a-z]|[)\]])\s+(\d+(?:\.\d+)?\^)", r"\1*\2"),  # k 3^(k-1), (1 + k) 0.5^k, Sqrt[6] 3^(1/4)
         (rf"(?<![A-Za-z_])({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
         (rf"(?<![A-Za-z_])(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
         (r"(?<![\w)\]])([a-zA-Z])\[\s*([kn](?:\s*[-−+]\s*\d+)?)\s*\]", r"\1(\2)"),  # u[n] of a sequence

@@ -18,6 +18,8 @@ _ENDING = re.compile(
 )
 _RAISED = re.compile(r"([\^_])\{([^{}]*)\}")
 _NAMED = re.compile(r"(?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\(")
+_NUMBER = re.compile(r"^(\d+(?:\.\d+)?(?:\s*/\s*\d+)?)\s*[*·×]?\s*(?=\[|[a-z]+\()")
+_DIVISOR = re.compile(r"/\s*\d+")
 MOST_FACTORS = 6
 NEAR = 40
 """Characters before a sign that are looked at."""
@@ -129,17 +131,20 @@ def factors_of(text: str) -> tuple[str, str, str] | None:
     if not _are_matrices(following):
         return None
     before = text[:start].strip().rstrip("*·×").strip()
+    if number := _NUMBER.match(following):  # A * 1/5 * B
+        before, following = f"{before}*{number[1]}" if before else number[1], following[number.end() :]
     return None if _is_sum(before) or before[-1:] in ("/", "^") else (before, text[start : middle + 1], following)
 
 
 def _are_matrices(text: str) -> bool:
     """Whether a text is a matrix or several of them side by side, of which some may be diag(…)."""
     for _ in range(MOST_FACTORS):
+        text = _NUMBER.sub("", text, count=1)
         found = _NAMED.match(text)
         if not found and not text.startswith("["):
             return False
         rest = text[matching(text, found.end() - 1 if found else 0) + 1 :].strip()
-        if not rest:
+        if not rest or _DIVISOR.fullmatch(rest):
             return True
         text = rest.lstrip("*·×.@").lstrip()
     return False

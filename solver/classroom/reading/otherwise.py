@@ -12,12 +12,15 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading import list_texts, matrix_texts, remarks
+from solver.classroom.reading import list_texts, matrix_remarks, matrix_texts, remarks
+from solver.classroom.reading.brackets import closed
 from solver.classroom.reading.control_laws import coefficients_of, gain_of, law_of
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.likeness import is_of_time
 from solver.classroom.reading.piecewise import as_steps, with_first_value
+from solver.classroom.reading.polynomials import of_named_coefficients, variable_of
+from solver.classroom.reading.printed import in_rows
 from solver.classroom.reading.sentences import concluded, with_true_signs, without_words
 
 Kind = Callable[[Any, Expected], bool]
@@ -72,6 +75,10 @@ def _is_list(ours: Any, _: Expected) -> bool:
     return isinstance(ours, list | sp.Set)
 
 
+def _is_plain_list(ours: Any, _: Expected) -> bool:
+    return isinstance(ours, list)
+
+
 def _are_angles(ours: Any, expected: Expected) -> bool:
     return _is_list(ours, expected) and expected.unit == "°"
 
@@ -82,6 +89,14 @@ def _are_mappings(ours: Any, _: Expected) -> bool:
 
 def _is_matrix(ours: Any, _: Expected) -> bool:
     return isinstance(ours, sp.MatrixBase)
+
+
+def _is_polynomial(ours: Any, _: Expected) -> bool:
+    return variable_of(ours) is not None
+
+
+def _is_space(_: Any, expected: Expected) -> bool:
+    return expected.name.endswith("_space")
 
 
 def _are_vectors(ours: Any, expected: Expected) -> bool:
@@ -122,6 +137,10 @@ def _transform(text: str, _: Any, expected: Expected) -> str:
     return remarks.without_region(remarks.without_transformed(text, expected.name))
 
 
+def _printed(text: str, ours: Any, _: Expected) -> str:
+    return in_rows(text, ours.shape if isinstance(ours, sp.MatrixBase) else (max(len(ours), 1), 1))
+
+
 def _modes(text: str, _: Any, expected: Expected) -> str:
     return _HIDDEN[expected.name.startswith("un") and "obs" in expected.name].sub("", text)
 
@@ -149,23 +168,43 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
         _is_list,
         (
             _text(remarks.behind_equation),
+            _text(list_texts.behind_call),
             _text(list_texts.with_conjugates),
             _text(list_texts.with_multiplicities),
             _text(list_texts.each_so_often),
             _text(list_texts.one_after_another),
         ),
     ),
-    (_are_mappings, (_text(list_texts.joined_alternatives),)),
+    (_is_plain_list, (_printed,)),
+    (_are_mappings, (_text(list_texts.joined_alternatives), _text(list_texts.as_point))),
     (_is_signal, (_text(with_first_value),)),
     (_named("solution"), (_text(_solution),)),
     (_named("coefficients"), (_text(coefficients_of),)),
     (_named("K"), (_text(gain_of),)),
     (_named("u"), (_text(law_of),)),
     (_are_vectors, (_text(matrix_texts.without_factors), _text(matrix_texts.both_vectors))),
+    (
+        _is_matrix,
+        (
+            _printed,
+            _text(matrix_remarks.without_remark),
+            _text(matrix_remarks.entries_concluded),
+            _text(matrix_remarks.with_entries),
+            _text(matrix_remarks.with_matrices),
+        ),
+    ),
+    (_is_space, (_text(matrix_remarks.of_letters),)),
+    (_named("A", "C"), (_text(matrix_remarks.of_states),)),
+    (_named("B", "D"), (_text(matrix_remarks.of_inputs),)),
+    (_named("jordan_form"), (_text(matrix_remarks.with_blocks),)),
+    (_is_polynomial, (_text(of_named_coefficients),)),
     (_is_row_or_column, (_shape(matrix_texts.alike),)),
-    (_is_square, (_shape(matrix_texts.symmetric), _shape(matrix_texts.with_identities))),
+    (
+        _is_square,
+        (_shape(matrix_texts.symmetric), _shape(matrix_remarks.mirrored), _shape(matrix_texts.with_identities)),
+    ),
     (_are_modes, (_modes,)),
     (_named("values"), (_text(_values_when_lost),)),
     (_is_list, (_text(list_texts.joined_sets),)),
-    (_any, (_text(_without_only), _text(with_true_signs), _text(concluded), _bare)),
+    (_any, (_text(_without_only), _text(closed), _text(with_true_signs), _text(concluded), _bare)),
 )

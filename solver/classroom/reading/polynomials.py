@@ -12,11 +12,14 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, split
+from solver.classroom.reading.names import symbols_of
 from solver.symbols import POLYNOMIAL
 
 _FRACTION = re.compile(r"(?:\b\w+\.)*\b(tf|TransferFunction)\s*\(")
 _MODEL = re.compile(r"(?:\b\w+\.)*\bTransferFunctionModel\s*[\[(]")
 _COEFFICIENTS = re.compile(r"(?:\b\w+\.)*\b(?:poly2sym|polyval|poly1d)\s*\(")
+_ASCENDING = re.compile(r"\s*(?:\w+\.)*Polynomial\s*\(\s*\[([^\[\]]*)\]\s*(?:,[^()\[\]]*)?\)\s*")
+"""Polynomials of numpy and of Julia, with the lowest power first."""
 _ZPK = re.compile(r"(?:\b\w+\.)*\bzpk\s*\(")
 _NUM_AND_DEN = re.compile(r"^\s*num\w*\s*[=:]\s*([^=]*?)\s*[,;]\s*den\w*\s*[=:]\s*([^=]*)$", re.IGNORECASE)
 _ROOTS = re.compile(r"(?:\b\w+\.)*\bpoly\s*\((?=\s*\[)")
@@ -29,6 +32,11 @@ _BAR = re.compile(r"^((?:(?!-{3})[^─—=])*[^-─—=\s])\s*(?:-{3,}|[─—]{
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 _POWER = re.compile(rf"(?<![^\W\d_])(?:\\?lambda|[szpxλ])\s*(?:(?:\^|\*\*)\s*\{{?(\d{{1,2}})|([{_RAISED}]))")
 _ZERO = re.compile(r"^\s*\+?0(?:\.0*)?\s*$")
+_NAMED = re.compile(r"\s*([A-Za-zα])_?\{?(\d)\}?\s*=\s*([^=]+)")
+_BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
+_BELOW = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_ONE = re.compile(r"1(?:\.0*)?")
+_GAIN = re.compile(r"[klghn]_?\d{1,2}", re.IGNORECASE)
 MAX_DEGREE = 40
 MAX_CONVOLVED = 400
 USUAL_LETTERS = frozenset({"p", "lamda", "x", "q"})
@@ -65,6 +73,30 @@ def one_side(text: str) -> str:
     if len(sides) == 2 and _highest(sides[0]) > max(_highest(sides[1]), 1):  # s^2 = -3 s - 2
         return f"{sides[0]} - ({sides[1]})"
     return sides[1] if len(sides) == 2 and _ZERO.match(sides[0]) else text
+
+
+def compares(ours: Any, found: Sequence[Any], known: set[sp.Symbol]) -> bool:
+    """Whether a side of an equation is a polynomial of the degree of ours whose coefficients hold gains to be found."""
+    variable = variable_of(ours)
+    if variable is None or not found:
+        return False
+    value = found[0].value
+    gains = symbols_of(value) - known - {variable}
+    if not gains or not all(_GAIN.fullmatch(each.name) for each in gains) or not value.is_polynomial(variable):
+        return False
+    return bool(sp.degree(value, variable) == sp.degree(ours, variable))
+
+
+def of_named_coefficients(text: str) -> str:
+    """Return [1, a1, a0] of a1 = 5, a0 = 6, which stand before the powers of their indices; "" of any other text."""
+    found = [_NAMED.fullmatch(each) for each in split(text.translate(_BELOW).strip(" {}[]()."), _BETWEEN)]
+    named = {int(each[2]): each[3].strip() for each in found if each}
+    letters = {each[1] for each in found if each}
+    if len(named) < len(found) or len(letters) != 1 or len(named) < 2 or sorted(named) != list(range(len(named))):
+        return ""
+    highest = len(named) - 1
+    leading = [] if _ONE.fullmatch(named[highest]) else ["1"]
+    return f"[{', '.join([*leading, *(named[each] for each in range(highest, -1, -1))])}]"
 
 
 def with_leading_one(value: Any, variable: sp.Symbol) -> Any:
@@ -123,6 +155,8 @@ def with_quotients(text: str, variable: str) -> str:
         return found[1]
     if _CONVOLVED.fullmatch(text):
         return _polynomial(text, variable) or text
+    if found := _ASCENDING.fullmatch(text):
+        text = f"poly2sym([{', '.join(split(found[1], ',')[::-1])}])"
     text = _BAR.sub(r"(\1)/(\2)", text)
     if found := _NUM_AND_DEN.match(text):
         text = f"tf({found[1]}, {found[2]})"

@@ -25,23 +25,29 @@ _NOT_ZERO = re.compile(
     r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$|\s*[,;(]\s*(?:(?:which )?is |ist )?(?:not|nicht|≠) ?(?:zero|null|0)\s*\)?\s*\.?$"
 )
 _PARTS = re.compile(r"^\s*(?:σ|sigma|Re)\s*=[^=]*[,;]\s*(?:ω|omega|ω_d|Im)\s*=[^=]*$")
-_STATED = re.compile(r"\s*([^\W\d]\w*)\s*=[^=]")
+_STATED = re.compile(r"\s*([^\W\d]\w*(?:\s*[-−+]\s*[^\W\d]\w*\*?\w?)?)\s*=[^=]")
+_STATEMENTS = re.compile(
+    r"\s*(?:[,;]?\s*(?:\b(?:i\.\s?e\.|d\.\s?h\.|so|hence|thus|also|damit|somit)\s*:?\s|=>|⇒|→)|[,;])\s*"
+)
 _ADDED = re.compile(r"\s*u\w*(?:\(\w\))?\s*=\s*\+?\s*[A-Za-z]")
 _OUTPUT = re.compile(r"^\s*Y(?:\((?:s|z)\))?\s*=\s*(.*?)\s*[*·]?\s*U(?:\((?:s|z)\))?\s*$", re.DOTALL)
 _SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
 _POWER_OF_ROW = re.compile(r"\s*[sz]\s*\^?\s*[({]?[\d⁰¹²³⁴-⁹]{1,2}[)}]?\s*(?:[|:]|$)")
 _DIGITS = re.compile(r"[\d⁰¹²³⁴-⁹]{1,2}")
-_SLASH = re.compile(r"\s/\s")
+_QUOTED = re.compile(r"^\s*[“”„«»‘’‚\"`]([^“”„«»`]*)[“”«»‘’\"`]\s*$|(?<=[\])'])\s*;+\s*$", re.DOTALL)
+_SLASH = re.compile(r"\s//?\s")
 _WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{3,}")
 
 
 def prepared(node: Node, ours: Any, name: str) -> Node:
     """Return the node of an answer without what is not part of its value; raises Fault where it is another quantity."""
     if isinstance(ours, sp.MatrixBase) and isinstance(node, MappingNode):
-        node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
+        node = _named_entries(node)
     if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
         node = _quotient(node) or node
     text = typed(node)
+    if isinstance(node, ScalarNode) and (bare := _QUOTED.sub(lambda found: found[1] or "", text)) != text:
+        node, text = ScalarNode(node.place, bare, "quoted"), bare
     if isinstance(node, ScalarNode) and (bare := without_limit(text, name)) != text:
         node, text = ScalarNode(node.place, bare, "quoted"), bare
     if _RULE.search(text) and isinstance(ours, list) and ours and isinstance(ours[0], Mapping):
@@ -65,6 +71,14 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     return node if bare == text else ScalarNode(node.place, bare, "quoted")
 
 
+def _named_entries(node: MappingNode) -> Node:
+    """The entries of {k1: 3, k2: 4} with their names as a list; the vectors of {v1: [1, 2], v2: [3, 4]} as a text."""
+    items = [each for entry in node for each in labelled(entry)]
+    if all(typed(entry.value).lstrip()[:1] in ("[", "(") for entry in node):
+        return ScalarNode(node.place, ", ".join(map(typed, items)), "quoted")
+    return SequenceNode(node.place, tuple(items))
+
+
 def _is_listed(ours: Any) -> bool:
     """Whether our own answer is a list of anything but numbers."""
     return isinstance(ours, list | tuple) and not all(isinstance(each, sp.Expr) for each in ours)
@@ -80,12 +94,18 @@ def _quotient(node: MappingNode) -> Node | None:
 
 def _own_statement(text: str, name: str) -> str:
     """K = [1 2] of u = -Kx, K = [1 2]; any other text as it is."""
-    pieces = split(text, re.compile(r"[,;]"))
+    pieces = split(text, _STATEMENTS)
     stated = [found[1] if (found := _STATED.match(piece)) else "" for piece in pieces]
+    if name.upper() not in stated and name.lower() in stated:
+        name = name.lower()
     own = len(pieces) > 1 and all(stated) and stated.count(name) == 1 and len(name) == 1
     if any(map(_ADDED.match, pieces)):  # the gain of u = Kx is another one
         return text
-    return pieces[stated.index(name)] if own else text
+    if not own:
+        return text
+    whole = pieces[stated.index(name)]
+    uses = any(re.search(rf"\b{re.escape(each)}\b", whole) for each in stated if each != name)
+    return text if uses else whole  # K = [k1 k2], k1 = 3, k2 = 4
 
 
 def _without_powers(text: str) -> str:

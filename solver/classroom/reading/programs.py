@@ -6,6 +6,7 @@ Only text is changed here; nothing is evaluated.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from solver.classroom.reading.brackets import matching, split
 
@@ -22,6 +23,15 @@ _IDLE = re.compile(
     r"|collect|ratsimp|trigsimp|nsimplify|evalm)\s*[(\[]"
 )
 """Calls that change the form of a value only."""
+_IDLE_BEHIND = re.compile(
+    r"(?:\s*//\s*(?:N|MatrixForm|TableForm|Simplify|FullSimplify|Expand|Chop|Together)"
+    r"|(?<=[\])])\.(?:tolist|evalf|n|round|simplify|doit|expand|astype|copy|factor|applyfunc)\([^()]*\))+$"
+)
+"""The same behind a value."""
+_DIAGONAL = ("DiagonalMatrix", "Diagonal", "blkdiag", "block_diag", "blockdiag")
+_OTHER_NAME = re.compile(
+    r"(?<![\w.])(?:\w+\.)*(IdentityMatrix|Identity|DiagonalMatrix|Diagonal|blkdiag|block_diag|blockdiag)\s*[\[(]"
+)
 _TRANSPOSED = re.compile(r"(?:\w+\.)*(?:[Tt]ranspose|ctranspose)\s*[(\[]")
 
 Grid = list[list[str]]
@@ -29,13 +39,25 @@ Grid = list[list[str]]
 
 def in_our_brackets(text: str) -> str:
     """Return a text with the matrices of Maple and of calculators in our brackets."""
-    text = text.translate(_ANGLES)
+    text = _with_names(text.translate(_ANGLES))
     if text.count("<") == text.count(">") > 0 and "=" not in text:
         text = _without_angles(text)
     text = _without_makers(_of_word(text))
     if _BARRED.fullmatch(text):
         text = text.replace("|", ",").replace("&", ",")
     return _ADJACENT.sub(", ", text) if text.startswith("[[") and matching(text, 0) == len(text) - 1 else text
+
+
+def _with_names(text: str) -> str:
+    """A text with IdentityMatrix[2], Diagonal([1, 2]) by the names that MATLAB has for them."""
+    at = 0
+    while found := _OTHER_NAME.search(text, at):
+        end = matching(text, found.end() - 1)
+        inside = text[found.end() : end]
+        listed = inside[1:-1] if found[1] in _DIAGONAL and inside[:1] in "[{" and inside[:1] else inside
+        text = f"{text[: found.start()]}{'diag' if found[1] in _DIAGONAL else 'eye'}({listed}){text[end + 1 :]}"
+        at = found.start() + 3
+    return text
 
 
 def _without_makers(text: str) -> str:
@@ -62,8 +84,8 @@ def _of_word(text: str) -> str:
 
 
 def inside_idle_call(text: str) -> str | None:
-    """Return what stands in simplify(…), or in another call that changes the form only; None of anything else."""
-    return _argument(_IDLE, text)
+    """Return what stands in simplify(…), or before .evalf(), // N; None where no call changes the form only."""
+    return text[: found.start()] if (found := _IDLE_BEHIND.search(text)) else _argument(_IDLE, text)
 
 
 def inside_transposition(text: str) -> str | None:
@@ -112,13 +134,17 @@ def _grid(text: str, depth: int) -> Grid | None:
     sign = "|" if len(_pieces(text, "|")) > 1 else ","
     blocks = [_block(piece.strip(), depth) for piece in _pieces(text, sign)]
     found = [block for block in blocks if block is not None]
-    if len(found) < len(blocks):
+    if len(found) < len(blocks) or (sign == "|" and _holds_commas(found)):  # <1, 2|3, 4>
         return None
     if sign == ",":
         return [row for block in found for row in block]
     if len({len(block) for block in found}) != 1:
         return None
     return [[entry for row in rows for entry in row] for rows in zip(*found, strict=True)]
+
+
+def _holds_commas(blocks: Sequence[Grid]) -> bool:
+    return any("," in entry for block in blocks for row in block for entry in row)
 
 
 def _block(text: str, depth: int) -> Grid | None:

@@ -16,6 +16,8 @@ _BESIDE = re.compile(
     rf"\s*(?:\(\s*(?:at|for|with|bei|für|mit)?\s*(?P<in>{_NAME})\s*[=≈]\s*[^()=,;]+(?:\s[\w/]+)?\)"
     rf"|,?\s+(?:at|for|bei|für)\s+(?P<at>{_NAME})\s*[=≈]\s*[^=,;()]+?)(?=\s*(?:[,;\])}}.]|\band\b|\bund\b|$))"
 )
+_COUNTED = re.compile(r"(?:alg\w*_?)?(?:m|mult\w*|am|a_m|AV|VF|vf|μ|mu|ν|nu|vielfachheit)(?:_?a)?")
+"""Names of what says how often a value counts."""
 _REGION = re.compile(
     r"\s*(?:,|;|\(|\bfor\b|\bfür\b|\bROC\s*:?|\bwith\b)+\s*(?:ROC\s*:?\s*)?"
     r"(?:(?:\\?(?:Re|Real|operatorname\{Re\})\s*[({]?\s*s\s*[)}]?|σ|sigma)\s*>\s*[^,;=<>]+"
@@ -36,7 +38,8 @@ def without_remarks(text: str, own: str) -> str:
     """Return numbers without the values of other names beside them; `own` is the name of the answer."""
 
     def bare(found: re.Match[str]) -> str:
-        return found[0] if (found["in"] or found["at"]) == own else ""
+        name = found["in"] or found["at"]
+        return found[0] if name == own or _COUNTED.fullmatch(name) else ""
 
     return _BESIDE.sub(bare, text) if "=" in text or "≈" in text else text
 

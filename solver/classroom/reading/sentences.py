@@ -68,7 +68,8 @@ _DENIED = re.compile(
 FILLING = frozenset(
     "the of is are at be lie lies equals equal to we get obtain have has result answer value values it tends goes"
     " converges only der die das des ist sind lautet lauten bei liegt liegen beträgt ergibt sich zu mit with and und"
-    " system matrix plant origin there".split()
+    " system matrix plant origin there result results final solution ergebnis endergebnis antwort lösung somit damit"
+    " folgt".split()
 )  # fmt: skip
 NOUNS = {
     "eigenvalues": "eigenvalue eigenvalues eigenwert eigenwerte pair poles",
@@ -129,8 +130,15 @@ def sides_of(text: str) -> list[str]:
     """Return the sides of K = [k1 k2] = [18 6], or of (s+4)(s+5) = s^2 + 9s + 20; none where it is no such chain."""
     pieces = split(_POSITIVE.sub("", text), _SIDES)
     sides = [each.strip() for each in pieces]
-    bare = all(sides) and not any(_DENIED.search(_BRACKETS.sub("", each)) for each in sides)
+    bare = all(sides) and not any(_DENIED.search(_outside_brackets(each)) for each in sides)
     return sides if bare and 1 < len(sides) <= MOST_SIDES else []
+
+
+def _outside_brackets(text: str) -> str:
+    """What stands in no bracket of a text."""
+    while (bare := _BRACKETS.sub("", text)) != text:
+        text = bare
+    return text
 
 
 def concluded(text: str) -> str:

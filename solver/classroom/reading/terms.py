@@ -86,6 +86,7 @@ NEGATIONS = ("not ", "nicht ", "non ", "un", "in", "im", "non", "nicht")
 LABELS = {
     "A_{d}": ("Phi", "Φ"), "B_{d}": ("Gamma", "Γ", "H"), "damping_ratio": ("D", "d", "xi", "ξ"),
     "controllability_matrix": ("P", "Q", "M", "U", "S"), "observability_matrix": ("Q", "M", "N", "O"),
+    "closed_loop_A": ("A - b k^T", "A - bk", "A - B k^T"), "error_A": ("A - l c^T", "A - lc"),
     "k_I": ("K_i", "K_I", "k_i"), "critical_value": ("K", "k"), "S": ("S_K^T", "S^T"),
     "natural_frequency": ("omega", "ω", "w"), "gain_margin": ("GM", "A_R", "k_R"), "phase_margin": ("PM", "Phi", "Φ"),
 }  # fmt: skip

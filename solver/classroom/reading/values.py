@@ -41,7 +41,7 @@ from solver.classroom.submitted import Submitted, replaced
 from solver.patches import Program
 from solver.problem.expressions import Names
 from solver.problem.expressions.notation import MAX_CHARACTERS
-from solver.problem.nodes import Node, ScalarNode
+from solver.problem.nodes import Node, ScalarNode, SequenceNode
 from solver.problem.source import Fault
 
 MAX_ENTRIES = 400
@@ -119,6 +119,8 @@ class Reader:
 
     def _within(self, node: Node, ours: Any, depth: int = 0) -> list[Submitted]:
         """What a text says that has the shape of ours: within a sentence, behind signs of equality, in another form."""
+        if isinstance(node, SequenceNode):  # [1 2 | 3 4]
+            node = ScalarNode(node.place, typed(node), "quoted")
         if not isinstance(node, ScalarNode) or isinstance(ours, str | bool) or is_condition(ours):
             return []
         if len(node.text) > MAX_CHARACTERS or depth > MOST_LAYERS:
@@ -165,9 +167,8 @@ class Reader:
         for side, known_values in zip(sides, values, strict=False):
             if known_values and not any(same(each, one) for each in known_values for one in last):
                 raise node.fault(f"{side} and {sides[-1]} are not equal")
-        return (
-            last if values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours) else []
-        )
+        named = values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours)
+        return last if named or polynomials.compares(ours, found[0], known) else []
 
     def _is_formula(self, text: str, ours: Any) -> bool:
         """Whether a text says how a number is found from other quantities: exp(-πζ/√(1-ζ²)), 1/K_v."""

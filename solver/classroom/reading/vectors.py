@@ -10,7 +10,7 @@ from solver.classroom.reading.nodes import flat
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|(?<=[)\]}'ᵀT])\s+(?=[(\[sS])")
-_NAMED = re.compile(r"\\?[^\W\d][\w^{}()]*\s*(?::=|=)\s*")
+_NAMED = re.compile(r"\\?[^\W\d][\w^{}()]*\s*(?::=|=|:)\s*")
 _SPAN = re.compile(r"(?:span|Span|lin|LH)\s*(?=[({\[])")
 _TURNED = re.compile(r"\s*(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\^%T|\.T|\^⊤)$")
 
@@ -42,7 +42,7 @@ def _vector(text: str) -> tuple[str, bool] | None:
         bare = bare[1:-1].strip() if bare.startswith("{") and enclosed(bare, "{}") else bare
     if turned := _TURNED.search(bare):
         bare, said = bare[: turned.start()].strip(), True
-    if bare[:1] not in ("(", "[") or matching(bare, 0) != len(bare) - 1:
+    if bare[:1] not in ("(", "[", "{") or matching(bare, 0) != len(bare) - 1:
         return None
     return bare, said or bare.startswith("(")
 
