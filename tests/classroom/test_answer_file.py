@@ -19,7 +19,6 @@ PLANT = "system: {A: [[0, 1], [-2, -3]], B: [0, 1]}\nfind: {a: eigenstructure, b
         ("answer: {a: {rank: 1}}", ":1:1:", "did you mean 'answers'"),
         ("answers: [1, 2]", ":1:10:", "'answers:' must list"),
         ("- 1", ":1:1:", "an answer file is a mapping"),
-        ("answers: {b: {rank: &x 1}}", ":1:", "anchor"),
         ("answers: {b: {rank: 1, rank: 2}}", ":1:", "twice"),
     ],
 )

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from solver.classroom.reading.keys import as_meant, joined, told_by_name
 from solver.classroom.reading.quoting import quoted
 from solver.problem.model import Problem
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode
@@ -45,7 +46,7 @@ def read_submission(source: Source, problem: Problem) -> Submission:
     report, shapeless = Report(), Report()
     report_unknown(root, KEYS, report)
     answers: Mapping[str, Mapping[str, Node]] = {}
-    listed = root.get("answers")
+    listed = joined(root.get("answers"))
     if not isinstance(listed, MappingNode):
         with shapeless:
             raise (listed or root).fault("'answers:' must list the answers of each part: a: {K: [1, 2]}")
@@ -68,7 +69,8 @@ def report_unknown(root: MappingNode, known: Sequence[str], report: Report) -> N
 def answers_in(listed: MappingNode, problem: Problem, report: Report) -> Mapping[str, Mapping[str, Node]]:
     """Return the values submitted for each part of a problem; what names no part or answer of it is reported."""
     answers: dict[str, Mapping[str, Node]] = {}
-    for entry in listed:
+    ids = [part.id for part in problem.parts]
+    for entry in as_meant(listed, ids):
         with report:
             answers[entry.key.text] = _part(entry.key, entry.value, problem, report)
     return answers
@@ -79,6 +81,7 @@ def root_of_answers(source: Source) -> MappingNode:
     root = _tree(source)
     if not isinstance(root, MappingNode):
         raise InputError(source, [root.diagnostic("an answer file is a mapping with the key 'answers'")])
+    root = as_meant(root, KEYS)
     if other := mistaken(source, root, ANSWERS):
         raise InputError(source, [other])
     return root
@@ -114,6 +117,7 @@ def _part(key: ScalarNode, node: Node, problem: Problem, report: Report) -> Mapp
     if is_blank(node):
         return {}
     task = catalogue()[parts[key.text].task]
+    node = told_by_name(joined(node) or node, task.answers)
     if not isinstance(node, MappingNode):
         if len(task.answers) == 1:
             return {next(iter(task.answers)): node}
@@ -121,6 +125,7 @@ def _part(key: ScalarNode, node: Node, problem: Problem, report: Report) -> Mapp
             names = ", ".join(task.answers)
             raise node.fault(f"the answers of part {key.text} are expected by name", note=f"it has: {names}")
         return {}
+    node = as_meant(node, task.answers)
     for entry in node:
         if entry.key.text not in task.answers:
             with report:
