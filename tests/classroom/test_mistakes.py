@@ -226,3 +226,16 @@ def test_vectors_in_another_order_than_the_eigenvalues_have_no_other_mistake(nam
     found = marked(text, f"answers: {{a: {{eigenvalues: '-2, -3', {name}: {value}}}}}")["a"].answers[name]
     assert "in the order of the eigenvalues" in found.reason
     assert found.mistake == ""
+
+
+ONE_STATE = """
+system: {A: [[0, 1], [-6, -5]], B: [0, 1], C: [1, 0]}
+find: {a: {task: reduced_observer, poles: [-6]}}
+"""
+
+
+@pytest.mark.parametrize(("name", "value"), [("J", "1"), ("J", "[[1]]"), ("L", "2")])
+def test_a_whole_number_in_a_matrix_of_one_entry_may_be_there_by_chance(name, value):
+    found = verdict(ONE_STATE, "a", name, value)
+    assert found.verdict == "wrong"
+    assert not found.mistake

@@ -38,7 +38,8 @@ def what_went_wrong(
 ) -> Slip | None:
     """Return the mistake that leads to a wrong value, None where none of the usual ones does."""
     ours = question.ours.get(name)
-    whole = is_scalar(submitted.value) and submitted.value.is_Integer and submitted.value != 0
+    value = submitted.value[0] if getattr(submitted.value, "shape", ()) == (1, 1) else submitted.value
+    whole = is_scalar(value) and value.is_Integer and value != 0
     if isinstance(ours, bool | str):
         return None
     case = Case(part, question, name, ours, results, earlier)
