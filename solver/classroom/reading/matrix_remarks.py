@@ -9,6 +9,13 @@ import sympy as sp
 from solver.classroom.reading.brackets import by_spaces, enclosed, rows, split
 
 _REMARK = re.compile(r"(?<=[\])])\s*,?\s*(?:\(([^()\d=<>]*)\)|(?:%|#|//)\s*([^\d=<>]*))\s*\.?$")
+_REASON = re.compile(
+    r"(?<=[\])])\s*[,;.:]?\s*\(?\b(?:check|proof|test|probe|kontrolle|since|because|as|denn|weil|da)\b(?!\s*\w*\s*(?:\[|$)).*$",
+    re.IGNORECASE | re.DOTALL,
+)
+_DENIES = re.compile(
+    r"\b(?:not|no|nicht|kein\w*|or|oder|wrong|false|falsch|instead|statt\w*|but|aber)\b|\?", re.IGNORECASE
+)
 _CHANGES = re.compile(
     r"\b(?:not|no|nicht|kein\w*|or|oder|maybe|vielleicht|wrong|false|falsch|transpos\w*|negativ\w*|minus|times|mal)\b|[?\[\]]",
     re.IGNORECASE,
@@ -38,7 +45,9 @@ _BETWEEN = re.compile(r"\s*[,;\n]\s*")
 
 
 def without_remark(text: str) -> str:
-    """Return a matrix without what is said of it behind it, [10 4] (Ackermann), [10 4] % by hand; "" of other texts."""
+    """Return a matrix without what is said of it behind it, [10 4] (Ackermann), [10 4] since 2 + k1 = 12; else ""."""
+    if (reason := _REASON.search(text)) and not _DENIES.search(reason[0]):
+        return text[: reason.start()]
     found = _REMARK.search(text)
     said = (found[1] or found[2] or "") if found else ""
     return text[: found.start()] if found and said.strip() and not _CHANGES.search(said) else ""

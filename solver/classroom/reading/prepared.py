@@ -74,7 +74,7 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
 def _named_entries(node: MappingNode) -> Node:
     """The entries of {k1: 3, k2: 4} with their names as a list; the vectors of {v1: [1, 2], v2: [3, 4]} as a text."""
     items = [each for entry in node for each in labelled(entry)]
-    if all(typed(entry.value).lstrip()[:1] in ("[", "(") for entry in node):
+    if items and all(typed(entry.value).lstrip()[:1] in ("[", "(") for entry in node):
         return ScalarNode(node.place, ", ".join(map(typed, items)), "quoted")
     return SequenceNode(node.place, tuple(items))
 

@@ -33,9 +33,8 @@ _RULE = re.compile(r"\|[ :|-]*-[ :|-]*\|[ \t]*(?:\n|$)")
 _BETWEEN_BARS = re.compile(r"\|\s*\n\s*\||\|\s+\|")
 _BAR = re.compile(r"\s*\|\s*")
 _NAMED = re.compile(
-    r"[,;.]?\s*(?:\b(row|zeile|line|column|col|spalte)\s*\(?\d\)?"
-    r"|\b\d(?:st|nd|rd|th|\.|te)[ ]*(row|zeile|line|column|spalte))"
-    r"\s*[:=]?\s*",
+    r"[,;.]?\s*(?:\b(row|zeile|line|column|col|spalte)\s*\(?\d\)?|\b(?:\d(?:st|nd|rd|th|\.|te)|first|second|third|fourth|"
+    r"(?:erste|zweite|dritte|vierte)[nrs]?)[ ]*(row|zeile|line|column|spalte))\s*[:=]?\s*",
     re.IGNORECASE,
 )
 _OF_COLUMNS = ("column", "col", "spalte")
