@@ -150,7 +150,11 @@ def _intermediate(case: Case) -> Values:
 
 def _alike(value: Any, ours: Any) -> bool:
     if isinstance(ours, sp.MatrixBase):  # zeros and ones alone may be there by chance
-        return isinstance(value, sp.MatrixBase) and value != ours and any(entry not in (0, 1, -1) for entry in value)
+        return (
+            isinstance(value, sp.MatrixBase)
+            and value != ours
+            and any(entry not in (0, 1, -1) for entry in value.flat())
+        )
     return is_scalar(ours) and is_scalar(value) and value != ours and not value.is_number
 
 
