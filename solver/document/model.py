@@ -104,7 +104,7 @@ class Document:
         if self.presentation.detail in {"question", "key"}:
             return self.parts
         if not self._shown:
-            self._shown.append(told_once(self.parts, self.messages.say))
+            self._shown.append(told_once(self.parts, self.messages.say, self.given))
         return self._shown[0]
 
     def checks_of(self, part: Work) -> str:

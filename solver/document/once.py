@@ -13,7 +13,16 @@ from operator import itemgetter
 
 from solver.document.checks import Say, check_rows
 from solver.document.model import CheckRow, Reference, Work, WorkAnswer, WorkStep
-from solver.document.results import RESULT, at_the_end, chains_in, ends_in, results_of, to_go_on_with, value_of
+from solver.document.results import (
+    RESULT,
+    at_the_end,
+    chains_in,
+    ends_in,
+    only_repeats,
+    results_of,
+    to_go_on_with,
+    value_of,
+)
 from solver.render.pointing import linked
 from solver.render.prose import plain
 from solver.words import Phrase
@@ -38,9 +47,9 @@ _NO_PARAGRAPH = re.compile(r"\s|[-*+>|#]\s|\d+[.)]\s|\|")
 """How lists, tables, quotations and headings begin."""
 
 
-def told_once(parts: Sequence[Work], say: Say) -> tuple[Work, ...]:
-    """Return the parts as a page shows them: the first time in full, later by reference."""
-    page = _Page(say, frozenset(part.id for part in parts if part.again))
+def told_once(parts: Sequence[Work], say: Say, problem: str = "") -> tuple[Work, ...]:
+    """Return the parts as a page shows them, below what the problem gives: first in full, later by reference."""
+    page = _Page(say, frozenset(part.id for part in parts if part.again), problem)
     return tuple(page.work(part) for part in parts)
 
 
@@ -59,6 +68,7 @@ class _Page:
 
     say: Say
     several: frozenset[str]
+    problem: str
     steps: dict[str, _Place] = field(default_factory=dict)
     substeps: dict[str, _Place] = field(default_factory=dict)
     figures: dict[str, _Place] = field(default_factory=dict)
@@ -82,7 +92,7 @@ class _Page:
     def _steps(self, part: Work) -> tuple[WorkStep, ...]:
         """Return the steps, those in a row that stand above as one that refers to them."""
         shown: list[WorkStep] = []
-        rest = part.steps
+        rest = tuple(each for each in part.steps if not only_repeats(each, self.problem + "\n\n" + part.given))
         while rest:
             run = tuple(takewhile(self._stands_above, rest))
             referring = self._referring(part, run, rest[len(run) :]) if run else None

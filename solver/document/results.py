@@ -35,6 +35,13 @@ def results_of(run: Sequence[WorkStep]) -> list[str]:
     return (below or [[]])[-1]
 
 
+def only_repeats(step: WorkStep, given: str) -> bool:
+    """Whether a step shows what is given, and nothing else; words that lead to it are nothing by themselves."""
+    blocks = step.markdown.split("\n\n")
+    shown = [block for block in blocks if not block.endswith(":")]
+    return not step.steps and bool(shown) and set(shown) <= set(filter(RESULT.fullmatch, given.split("\n\n")))
+
+
 def at_the_end(blocks: Sequence[str]) -> list[str]:
     """Return the last blocks in a row that are displays; what is said behind them concludes."""
     backwards = dropwhile(lambda block: not RESULT.fullmatch(block), reversed(blocks))

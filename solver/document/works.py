@@ -127,7 +127,9 @@ class Writer:
             answers = {name: answers[name] for name in asked_of(part, task) if name in answers}
             earning = key_of(worded, answers, task.answers, wording)
             worded, derived = earning.steps, earning.derived
-        shown = tuple(self._step(each, wording.say, result.steps) for each in worded)
+        # A heading alone says nothing.
+        told_of = [each for each in worded if each.markdown or each.steps or each.figures]
+        shown = tuple(self._step(each, wording.say, result.steps) for each in told_of)
         work = Work(
             id=result.id,
             task=result.task,

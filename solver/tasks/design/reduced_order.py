@@ -161,6 +161,7 @@ def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant:
         steps=lines,
         figures=error_of_estimate(J, r"\tilde{\eta}", 2, discrete=plant.discrete),
         x=x,
+        order=J.rows,
         discrete=plant.discrete,
         fixed=design.fixed,
     )
