@@ -68,13 +68,14 @@ def test_each_part_of_a_key_has_lines_that_earn_its_marks_on_at_most_a_page(path
         ("{task: state_transition_matrix, method: laplace}", ["(sI - A)^{-1} = ", r"\mathcal{L}^{-1}"]),
         ("{task: transfer_function}", [r"C\operatorname{adj}(sI - A)\,B = 1", r"G = \frac{1}{s^{2} - 3s - 2}", "p = "]),
         ("{task: observer_feedback, poles: [-1, -2], observer_poles: [-4, -5]}", [r"\lambda = -1,\; -2,\; -4,\; -5"]),
-        ("{task: eigenstructure}", ["M = ", "J = V^{-1}AV = "]),
+        ("{task: eigenstructure}", ["M = ", "J = "]),
         (
             "{task: step_specifications, system: {transfer_function: 4/(s^2 + 2s + 4)}}",
             [r"\omega_{n} = 2", r"\xi = \frac{1}{2}"],
         ),
         (
-            "{task: minimum_energy_control, method: gramian, initial_state: [1, 0], final_time: 1}",
+            "{task: minimum_energy_control, method: gramian, initial_state: [1, 0], final_time: 1, "
+            "system: {A: [[0, 1], [0, 0]], B: [0, 1]}}",
             ["W = ", "d = ", r"\eta = "],
         ),
         (

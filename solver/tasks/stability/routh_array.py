@@ -150,7 +150,6 @@ def _auxiliary(row: exact.RouthRow, x: Symbol) -> Step:
     found = sp.Add(*(c * x ** (row.power - 2 * i) for i, c in enumerate(row.entries)))
     return Step(
         "zero_row",
-        detail="full",
         claims={"derivative": Claim(derivative(p, x), found, "the derivative of the auxiliary polynomial")},
         power=_written_power(x, row.power),
         above=_written_power(x, order),
