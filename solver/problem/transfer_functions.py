@@ -79,7 +79,7 @@ def _from_expression(node: Node, lexicon: Lexicon, variable: str, discrete: bool
 
 def _in_factors(p: sp.Expr, q: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
     """Return p and q if one of them is a product or a power of sums in x, and no sum holds such a product."""
-    factors = [factor.base if factor.is_Pow else factor for side in (p, q) for factor in sp.Mul.make_args(side)]
+    factors = [factor.as_base_exp()[0] for side in (p, q) for factor in sp.Mul.make_args(side)]
     sums = [factor for factor in factors if factor.is_Add and factor.has(x)]
     products = any(side.is_Mul or side.is_Pow for side in (p, q) if any(each.has(x) for each in side.atoms(sp.Add)))
     return (p, q) if products and all(each == sp.expand(each) for each in sums) else None

@@ -64,10 +64,10 @@ def control_by_gramian(transfer: Transfer, best: exact.MinimumEnergy) -> Derivat
     whole = not best.unreached.rows
     equations = list(zip((best.gramian * sp.Matrix(unknowns)).flat(), best.gap.flat(), strict=True))
     solved = system_solved(equations, unknowns, best.eta.flat()) if whole and by_hand(equations) else ()
-    yield Step("weights", claims={"solve": Claim(product(best.gramian, best.eta), best.gap, r"$W\eta = d$")},
-               steps=solved, eta=best.eta, whole=whole)  # fmt: skip
     backwards = exponential(product(T - t, transpose(transfer.A)))
     weight = [] if sp.eye(transfer.R.rows) == transfer.R else [inverse(transfer.R)]
+    yield Step("weights", claims={"solve": Claim(product(best.gramian, best.eta), best.gap, r"$W\eta = d$")},
+               steps=solved, eta=best.eta, whole=whole, weighed=bool(weight))  # fmt: skip
     stated = product(*weight, transpose(transfer.B), backwards, best.eta)
     yield Step("control", claims={"u": Claim(stated, best.u, "the control")}, u=scalar_or_column(best.u),
                weighed=bool(weight), T=T)  # fmt: skip
