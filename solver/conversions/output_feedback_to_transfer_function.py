@@ -48,7 +48,8 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
     x, C, H = G.variable, loop.controller, loop.feedback
     (p, q), (c, d) = (G.numerators[0][0], G.denominators[0][0]), polynomials_of(C)
     top, bottom = by_powers(c * p, x), by_powers(d * q, x)
-    path = quotient(top, bottom)
+    above, below = G.written if G.written is not None and C == 1 else (top, bottom)
+    path = quotient(above, below)
     yield from forward_path_of(C, quotient(p, q), path, x, open_loop=H is None, several=False)
     if H is not None:
         h, k = polynomials_of(H)
@@ -57,9 +58,9 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
             raise Unsolved("conversions/ill_posed_loop")
         claims = {
             "substituted": Claim(quotient(path, total(1, product(path, H))), quotient(N, D), "closed loop $T$"),
-            "denominator": Claim(total(product(bottom, k), product(top, h)), D, "denominator of the closed loop"),
+            "denominator": Claim(total(product(below, k), product(above, h)), D, "denominator of the closed loop"),
         }
-        yield Step("closed", claims=claims, x=x, H=H, unity=H == 1)
+        yield Step("closed", claims=claims, x=x, H=H, unity=H == 1, alone=C == 1)
         top, bottom = N, D
     if sp.degree(top, x) > sp.degree(bottom, x):
         raise Unsolved("conversions/improper_loop")

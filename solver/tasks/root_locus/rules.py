@@ -55,7 +55,7 @@ def _tells_roots(typed: Expr | None, s: Symbol) -> bool:
     """Whether a polynomial was given in factors of which none can be split."""
     if typed is None:
         return False
-    bases = [each.base if each.is_Pow else each for each in sp.Mul.make_args(typed)]
+    bases = [each.as_base_exp()[0] for each in sp.Mul.make_args(typed)]
     return all(sp.Poly(each, s).is_irreducible for each in bases if each.has(s))
 
 
