@@ -27,7 +27,7 @@ def gramian_of(transfer: Transfer, best: exact.MinimumEnergy) -> Derivation[None
     moved = sp.ImmutableMatrix((best.transition * transfer.B).expand())
     weight = [] if sp.eye(transfer.R.rows) == transfer.R else [inverse(transfer.R)]
     yield Step("response", claims={"motion": Claim(product(e, transfer.B), moved, "response of the modes")},
-               weighed=bool(weight), T=T)  # fmt: skip
+               transition=best.transition, weighed=bool(weight), T=T)  # fmt: skip
     stated = product(moved, *weight, transpose(moved))
     square = _square(transfer, moved)
     claims = {
