@@ -136,7 +136,8 @@ def _where_all_zero(row: Sequence[Expr]) -> list[tuple[Expr, Expr]]:
 
 def _solved(entry: Expr) -> tuple[Expr, Expr]:
     """The sides of x = value, where the entry is linear in its only parameter, else of entry = 0."""
-    (x, *others) = entry.free_symbols
+    symbols: list[Any] = sorted(entry.free_symbols, key=str)
+    x, *others = symbols
     p = entry.as_poly(x)
     if others or p is None or p.degree() != 1:
         return entry, sp.S.Zero
