@@ -104,3 +104,66 @@ def test_specifications_of_step_responses(factors, zeros, band, closed):
     assert info["RiseTime"] == pytest.approx(ours["rise_time"], abs=sample)
     if ours["overshoot"] > 1e-3 and y[np.argmax(np.abs(y))] * ours["final_value"] > 0:
         assert info["PeakTime"] == pytest.approx(ours["peak_time"], abs=50 * sample)
+
+
+HARD = {
+    "a zero makes the overshoot": (10 * s + 1, s**2 + 3 * s + 2),
+    "a zero on the right, undershoot": (2 - 4 * s, (s + 1) * (s + 2)),
+    "two zeros on the right": ((s - 1) * (s - 2), (s + 1) ** 3),
+    "a slow pole beside a zero, from below": (s + sp.Rational(11, 100), (10 * s + 1) * (s**2 + 2 * s + 4)),
+    "a slow pole beside a zero, from above": (s + sp.Rational(9, 100), (10 * s + 1) * (s**2 + 2 * s + 4)),
+    "a jump over the final value": (3 * s**2 + s + 1, s**2 + s + 1),
+    "a jump the other way": (1 - s, s + 1),
+    "hardly damped": (4, s**2 + s / 5 + 4),
+    "a negative final value": (-3, s**2 + s + 1),
+    "no overshoot, four poles together": (1, (s + 1) ** 4),
+    "the second top is the highest": (8, (s + 1) * (s**2 + s + 8)),
+    "a loop of type 0": (12, (s + 1) * (s + 2) * (s + 3) + 12),
+    "a loop of type 1": (2, s * (s + 1) * (s + 3) + 2),
+    "a loop of type 2": (4 * s + 1, s**2 * (s + 4) + 4 * s + 1),
+    "a loop of type 3": (9 * (s + sp.Rational(1, 2)) ** 2, s**3 + 9 * (s + sp.Rational(1, 2)) ** 2),
+}
+"""What samples see easily wrong: where the first course's formulas do not apply."""
+
+
+@pytest.mark.parametrize(("name", "band"), [(name, ("2%", "5%")[i % 2]) for i, name in enumerate(HARD)])
+def test_specifications_where_formulas_do_not_apply(name, band):
+    """Final value and time of the samples come from python-control alone, so that ours cannot lead it.
+
+    Without an overshoot it names the largest |y| as its peak, the end of the samples or a jump the other way; we none.
+    """
+    top, bottom = (sp.expand(each) for each in HARD[name])
+    other = control.tf(coefficients(top), coefficients(bottom))
+    span = 12 / min(-other.poles().real)
+    t = np.linspace(0, span, 20_001)
+    y = control.step_response(other, t).outputs
+    final = float(np.real(control.dcgain(other)))
+    info = control.step_info(
+        y, t, yfinal=final, SettlingTimeThreshold=float(band[:-1]) / 100, RiseTimeLimits=(0.1, 0.9)
+    )
+    result = ask(
+        "step_specifications",
+        plant(top, bottom),
+        "response",
+        settling_band=band,
+        rise="10-90",
+        overshoot_in="fraction",
+    )
+    assert result.status is Status.VERIFIED, result.reason
+    ours = {name: float(value) for name, value in result.answers.items()}
+    sample = 3 * span / 20_000
+    assert ours["final_value"] == pytest.approx(final, rel=1e-9)
+    assert ours["overshoot"] == pytest.approx(info["Overshoot"] / 100, abs=1e-5)
+    assert ours["settling_time"] == pytest.approx(info["SettlingTime"], abs=sample)
+    assert ours["rise_time"] == pytest.approx(info["RiseTime"], abs=sample)
+    assert ("peak_time" in ours) == (info["Overshoot"] > 0.01)
+    if "peak_time" in ours:
+        assert ours["peak_time"] == pytest.approx(info["PeakTime"], abs=10 * sample)
+        assert abs(info["Peak"]) == pytest.approx(abs(final) * (1 + ours["overshoot"]), rel=1e-5)
+
+
+def test_a_final_value_of_zero_has_no_overshoot_in_parts_of_it():
+    """From samples python-control makes it 0, or millions of percent of what rounding leaves of zero."""
+    result = ask("step_specifications", plant(s, s**2 + 3 * s + 2), "response", settling_band="2%")
+    assert result.status is Status.UNSOLVED
+    assert result.reason.kind == "step_specifications/no_final_value"
