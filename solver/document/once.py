@@ -106,7 +106,8 @@ class _Page:
 
     def _rows(self, part: Work, steps: Sequence[WorkStep]) -> Iterable[CheckRow]:
         """Return the table of checks, by the numbers of the steps that are shown."""
-        return check_rows(part.checks, steps, self.say) if part.checks else part.rows
+        as_it_was = [step.covers for step in steps] == [step.covers for step in part.steps]
+        return part.rows if as_it_was or not part.checks else check_rows(part.checks, steps, self.say)
 
     def _given(self, part: Work) -> str:
         """Return what is given, or where it was given before."""
