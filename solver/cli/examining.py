@@ -25,6 +25,7 @@ from solver.papers.exam.drawing import Drawn, Means, drawn, shared, to_be_made
 from solver.papers.exam.making import ANSWERS, answer_file, facts_of_paper, files_of, variants_table
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
+from solver.papers.export.making import for_bank
 from solver.papers.kept import NOTHING
 from solver.problem.source import InputError
 from solver.render import pdf
@@ -75,7 +76,8 @@ def write_exam(order: Order) -> int:
     with order.workers.executor() as executor, Record(order.folder, anew=order.again) as record:
         space = None if order.space is None else Fraction(str(order.space))
         kept = NOTHING if order.exports else store  # nothing stands beside an export
-        means = Means(order.presentation, order.limits, executor, order.draws, space, kept, partly=bool(order.exports))
+        means = Means(order.presentation, order.limits, executor, order.draws, space, kept)
+        means = for_bank(means) if order.exports else means
         code = _make(order, exam, means, record)
         if code == SOLVED and not order.exports:
             store.forget_others()

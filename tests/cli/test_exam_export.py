@@ -39,6 +39,13 @@ def test_the_same_bank_is_written_by_any_number_of_processes(solve, exam, tmp_pa
     assert files == {path.name: path.read_bytes() for path in (tmp_path / "two").iterdir()}
 
 
+def test_a_question_is_solved_once(solve, exam, called):
+    assert solve("exam", exam, "-o", "build", "--export", "moodle", "--jobs", 1).code == 0
+    assert {name for name, _ in called} == {"judged", "bank_made"}
+    solved = [text for name, text in called if name == "bank_made"]
+    assert len(solved) == len(set(solved)) == 4
+
+
 def test_detail_tells_how_much_the_feedback_tells(solve, exam, tmp_path):
     sizes = []
     for detail in ("key", "full"):

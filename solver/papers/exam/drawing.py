@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, TypeVar
@@ -28,6 +28,7 @@ class Means:
 
     `space` are the millimetres left blank for each mark of a part; None leaves no space for answers. `kept` knows what
     was made before. With `partly` a question may have parts without a solution, where it is the same in all variants.
+    `make` makes of the text of a question what is wanted of it, for which it may take `factor` times the limits.
     """
 
     presentation: Presentation = field(default_factory=lambda: Presentation("key"))
@@ -37,6 +38,8 @@ class Means:
     space: Fraction | None = None
     kept: Kept = NOTHING
     partly: bool = False
+    make: Callable[[str, str, Any], QuestionMade] = question_made
+    factor: int = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +94,7 @@ def _alike(exam: Exam, questions: list[Question], means: Means, tell: Tell) -> I
     new = [each for each in questions if results[each.number] is None]
     calls = [(each.source.text, each.source.name, asked_of(each, means)) for each in new]
     parts = max((_parts(each) for each in new), default=1)
-    for place, result in means.executor.calls(_limits(means, parts), question_made, calls):
+    for place, result in means.executor.calls(_limits(means, parts), means.make, calls):
         results[new[place].number] = result
         tell(0, sum(each is not None for each in results.values()))
         if isinstance(result, QuestionMade) and result.status is Status.VERIFIED:
@@ -114,14 +117,14 @@ def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tel
     """Return the members of a family for the variants in order, as `in_turn` does."""
     search = search_of(exam, question, means, tell)
     asked, name = asked_of(question, means), f"question-{question.number}"
-    some = members_again(means.kept, question.problem, search, count, asked, name, question_made, QuestionMade)
+    some = members_again(means.kept, question.problem, search, count, asked, name, means.make, QuestionMade)
     found = [Drawn(question, each.values, each.text, Packed.of(_question(each.made))) for each in some]
     return in_turn(exam, question, search, found, count)
 
 
 def _question(made: Made) -> QuestionMade:
     if not isinstance(made, QuestionMade):
-        raise AssertionError("`question_made` makes questions")
+        raise AssertionError("`make` makes questions")
     return made
 
 
@@ -165,7 +168,7 @@ def search_of(exam: Exam, question: Question, means: Means, tell: Tell = lambda 
 
 def asked_of(question: Question, means: Means) -> Asked:
     """Return what is wanted of a question."""
-    return Asked((), means.presentation, means.limits, False, question.number, question.marks)
+    return Asked((), means.presentation, _limits(means, 1), False, question.number, question.marks)
 
 
 def _parts(question: Question) -> int:
@@ -173,4 +176,4 @@ def _parts(question: Question) -> int:
 
 
 def _limits(means: Means, parts: int) -> Limits:
-    return means.limits.times(parts)
+    return means.limits.times(means.factor * parts)

@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import PurePath
 
 from solver.derivation import Status
 from solver.document.model import Document, WorkAnswer
 from solver.document.works import document_of, solve_as_told
+from solver.engine import Solution
 from solver.papers.exam.scaling import scaled
 from solver.papers.exam.telling import Asked as Wanted
+from solver.papers.exam.telling import QuestionMade
 from solver.papers.export.bench import Bench
 from solver.papers.export.fields import NoField, asked_of_answer
 from solver.papers.export.quiz import Asked, Essay, Item, Number, Text
@@ -54,13 +56,42 @@ class ItemsMade:
     left_out: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class BankMade(QuestionMade):
+    """A question as it is asked in a bank; it stands on no paper."""
+
+    items: ItemsMade = field(default_factory=ItemsMade)
+
+
+FACTOR = 3
+"""A question is solved, told and marked many times over: it may take so many times as long as one for a paper."""
+
+
+def bank_made(text: str, source: str, asked: Wanted) -> BankMade:
+    """Solve and verify a question as `question_made` does, and make its items of the same solution."""
+    solution, worked = _solved(text, source, asked)
+    judged = worked if worked.presentation.detail in {"full", "tutor"} else worked.told(detail="full")
+    part = next((part for part in judged.parts if part.status is not Status.VERIFIED), None)
+    reason = f"part {part.letter}: {part.reason}" if part else ""
+    return BankMade(judged.status, reason, {}, items=_items_of(solution, worked))
+
+
 def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
     """Solve, verify and tell a question, in this process. Identifiers and names are still those of its parts."""
+    return _items_of(*_solved(text, source, asked))
+
+
+def _solved(text: str, source: str, asked: Wanted) -> tuple[Solution, Document]:
+    """Return a question solved, and as it is told."""
     told = asked.presentation
     problem = told.of(scaled(read_problem(Source(source, text), catalogue()), asked.marks))
     solution = solve_as_told(problem, told)
-    name = PurePath(source).name
-    worked = document_of(solution, told, name)
+    return solution, document_of(solution, told, PurePath(source).name)
+
+
+def _items_of(solution: Solution, worked: Document) -> ItemsMade:
+    """Return the items of a question as it is worked."""
+    problem = solution.problem
     unsolved = {work.id: work for work in reversed(worked.parts) if work.status is not Status.VERIFIED}
     if worked.status is Status.FAILED:
         part = next(part for part in worked.parts if part.status is worked.status)

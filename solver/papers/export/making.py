@@ -7,19 +7,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from unicodedata import normalize
 
-from solver.limits import Exceeded
 from solver.papers.exam.drawing import Drawn, Means
 from solver.papers.exam.model import Exam, Question, Variant
-from solver.papers.exam.telling import Asked
-from solver.papers.export.items import ItemsMade, items_made
+from solver.papers.export.items import FACTOR, BankMade, ItemsMade, bank_made
 from solver.papers.export.quiz import Group, Quiz
 from solver.words import Phrase
 
 LONGEST = 40
 """Letters of the exam's title in an identifier."""
-
-FACTOR = 3
-"""A part is solved, told and marked many times over: it may take so many times as long as one that is only solved."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,24 +26,27 @@ class Bank:
     left_out: tuple[str, ...] = ()
 
 
+def for_bank(means: Means) -> Means:
+    """Return the means by which questions are drawn for a bank: each is solved once, for its items, too."""
+    return replace(means, partly=True, make=bank_made, factor=FACTOR)
+
+
 def quiz_of(exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means) -> Bank:
-    """Return the bank of an exam whose questions were drawn; what is the same in all variants is in it once."""
+    """Return the bank of an exam whose questions were drawn `for_bank`; what is the same in all is in it once."""
     messages = means.presentation.messages(exam.questions[0].problem.display)
     namer = _Namer(exam, messages.say)
-    asked = list(_asked(exam, variants))
-    parts = max(len(each.problem.parts) for each in exam.questions)
-    limits = means.limits.times(FACTOR * parts)
-    calls = [(drawn.text, drawn.question.source.name, _wanted(drawn.question, means)) for drawn, _ in asked]
     groups: dict[tuple[int, int, bool], Group] = {}
     faults: list[str] = []
     left_out: dict[str, None] = {}
-    results = means.executor.in_order(limits, items_made, calls)
-    for (drawn, variant), made in zip(asked, results, strict=True):
-        if isinstance(made, Exceeded) or made.fault:
-            faults.append(f"{namer.title(drawn.question)}: {getattr(made, 'fault', '') or made.reason}")
+    for drawn, variant in _asked(exam, variants):
+        made = drawn.made
+        if not isinstance(made, BankMade):
+            raise AssertionError("it was not drawn for a bank")
+        if made.items.fault:
+            faults.append(f"{namer.title(drawn.question)}: {made.items.fault}")
             continue
-        left_out |= dict.fromkeys(f"{namer.title(drawn.question)}: {each}" for each in made.left_out)
-        for key, group in namer.groups(drawn.question, variant, made):
+        left_out |= dict.fromkeys(f"{namer.title(drawn.question)}: {each}" for each in made.items.left_out)
+        for key, group in namer.groups(drawn.question, variant, made.items):
             before = groups.get(key)
             groups[key] = replace(before, items=(*before.items, *group.items)) if before else group
     ordered = tuple(groups[key] for key in sorted(groups))
@@ -62,10 +60,6 @@ def _asked(exam: Exam, variants: Sequence[Sequence[Drawn]]) -> Iterator[tuple[Dr
             yield variants[0][place], None
         else:
             yield from ((drawn[place], variant) for drawn, variant in zip(variants, exam.variants, strict=True))
-
-
-def _wanted(question: Question, means: Means) -> Asked:
-    return Asked((), means.presentation, means.limits, False, question.number, question.marks)
 
 
 class _Namer:

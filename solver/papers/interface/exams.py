@@ -27,7 +27,7 @@ from solver.papers.exam.making import ANSWERS, PAPERS, answer_file, files_of, va
 from solver.papers.exam.model import Exam, Variant
 from solver.papers.exam.reading import read_exam
 from solver.papers.export.formats import EXPORTS
-from solver.papers.export.making import quiz_of
+from solver.papers.export.making import for_bank, quiz_of
 from solver.papers.export.quiz import Quiz
 from solver.papers.export.summary import counted, told
 from solver.papers.search import MOST_DRAWS
@@ -189,7 +189,7 @@ def exam_bank(
     read = read_exam(source_of(exam))
     told = _presentation(detail, templates, language=language, notation=notation)
     with Processes(jobs) as executor, shown(progress) as tell:
-        means = Means(told, Limits(**limits), executor, draws, partly=True)
+        means = for_bank(Means(told, Limits(**limits), executor, draws))
         questions = drawn(read, means, partial(_solving, tell, to_be_made(read)))
         tell(len(questions), len(questions), "writing")
         bank = quiz_of(read, questions, means)
