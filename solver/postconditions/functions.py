@@ -52,7 +52,7 @@ def _has_common_factor(A: Any) -> bool:
         chi.append(-sum(N[i][i] for i in range(n)) * pow(k, -1, PRIME) % PRIME)
         N = [[(entry + chi[-1] * (i == j)) % PRIME for j, entry in enumerate(row)] for i, row in enumerate(N)]
     adjugate = (gf_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
-    return any(len(gf_gcd(entry, chi, PRIME, ZZ)) > 1 for entry in adjugate if entry)
+    return any(len(gf_gcd(entry, chi, PRIME, ZZ)) > 1 for entry in adjugate if len(entry) > 1)
 
 
 def _vanishes(A: Any, roots: Any) -> bool:

@@ -178,8 +178,10 @@ def _order(factor: Factor) -> tuple[int, Any, str]:
         return (3, factor.degree, str(first.value))
     if first.sigma.free_symbols or first.shift.free_symbols:
         return (2, 0, str(first.value))
+    if first.kind == "rational":
+        return (0, (first.sigma, 0), "")
     real, imaginary = sp.N(first.sigma).as_real_imag()
-    return (0 if first.kind == "rational" else 1, (real, -imaginary), str(first.shift))
+    return (1, (real, -imaginary), str(first.shift))
 
 
 def _factor(p: sp.Poly, multiplicity: int) -> Factor:

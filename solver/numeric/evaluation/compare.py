@@ -92,7 +92,7 @@ def worst_residual(sides: Sides, points: Sequence[Point], precision: Precision =
     tolerance = precision.tolerance
     with np.errstate(all="ignore"):
         known = _in_doubles(sides, points, precision.settled)
-        in_doubles = max(float(np.max(residual[settled], initial=0.0)) for residual, settled in known)
+        in_doubles = float(np.concatenate([residual[settled] for residual, settled in known]).max(initial=0.0))
         exactly, digits = precision is EXACT, DOUBLE.digits
         found = 0.0 if exactly else in_doubles
         for p, (_, settled) in enumerate(known):

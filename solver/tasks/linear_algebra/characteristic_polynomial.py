@@ -10,6 +10,7 @@ from solver.arithmetic.products import is_worked_out, rows_times_columns
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.matrices import entries
 from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
@@ -146,14 +147,18 @@ def coefficients_of_companion(A: ImmutableMatrix) -> str:
     n = A.rows
     if n < SMALLEST_COMPANION:
         return ""
-    upper, lower = sp.eye(n)[1:, :], sp.eye(n)[:-1, :]
-    ones_beside = {
-        "last row": A[:-1, :] == upper,
-        "first row": A[1:, :] == lower,
-        "first column": A[:, 1:] == lower.T,
-        "last column": A[:, :-1] == upper.T,
+    every, each = range(n), entries(A)
+    ones_above, ones_below = 1, -1
+    others = {
+        "last row": (every[:-1], every, ones_above),
+        "first row": (every[1:], every, ones_below),
+        "first column": (every, every[1:], ones_above),
+        "last column": (every, every[:-1], ones_below),
     }
-    return next((place for place, found in ones_beside.items() if found), "")
+    for place, (rows, columns, ones) in others.items():
+        if all(each[n * i + j] == int(j - i == ones) for i in rows for j in columns):
+            return place
+    return ""
 
 
 def expansion_of(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
