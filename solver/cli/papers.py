@@ -125,9 +125,13 @@ class Problems:
         self.solved: dict[str, Solved] = {}
         self.solutions: dict[str, Solution] = {}
         self.nameless: dict[str, list[tuple[str, str]]] = {}
+        self.told: set[str] = set()
 
     def paper(self, file: str, problem: str | None) -> Paper:
-        """Read an answer file; what is wrong with it becomes words on standard error, and a code."""
+        """Read an answer file; what is wrong with it becomes words on standard error, and a code.
+
+        What is wrong with the problem is the same for all: it is told once.
+        """
         try:
             source = submitted(file)
             name = problem or self._named(source, file)
@@ -138,7 +142,9 @@ class Problems:
             fault, code = error.render(), INPUT_AT_FAULT
         except AtFault as error:
             fault, code = f"{file}: error: {error.format_message()}", error.exit_code
-        click.echo(fault, err=True)
+        if fault not in self.told:
+            click.echo(fault, err=True)
+        self.told.add(fault)
         return Paper(file, code=code, fault=fault)
 
     def _named(self, source: Source, file: str) -> str:

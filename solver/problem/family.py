@@ -26,6 +26,7 @@ from solver.problem.source import Fault, Report, did_you_mean
 
 KEYS = ("vary", "require", "nice")
 WORDS = ("controllable", "observable", "stable", "unstable", "minimal")
+STEPS = ("from", "to", "step")
 MOST_VALUES = 10_000
 MOST_NAMES = 40
 
@@ -144,6 +145,8 @@ def _varied(node: Node, parameters: Node | None, report: Report) -> tuple[Varied
 def _values(name: str, entry: Entry) -> Varied:
     """Return what a name is drawn from; raises Fault."""
     node = entry.value
+    if isinstance(node, MappingNode) and "choose" in node and ("from" in node or "to" in node):
+        raise node.fault("'choose' lists the values, 'from' and 'to' bound them: give one or the other")
     if isinstance(node, MappingNode) and "choose" in node:
         values, texts = _chosen(node["choose"])
     elif isinstance(node, MappingNode):
@@ -173,7 +176,7 @@ def _steps(node: MappingNode) -> tuple[tuple[sp.Expr, ...], tuple[str, ...]]:
     """Return the values from one number to another; raises Fault."""
     report, decimal = Report(), False
     given: dict[str, Any] = {"step": sp.Integer(1)}
-    for entry in node:
+    for entry in (each for each in node if each.key.text in STEPS):  # of other keys the shape of the file tells
         with report:
             lexicon = Lexicon()
             given[entry.key.text] = _constant(entry.value, lexicon)

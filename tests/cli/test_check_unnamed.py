@@ -30,6 +30,18 @@ def test_what_is_the_same_in_all_files_is_told_once(solve, hand_in):
     assert "in/9.yaml:1:7: error: 'exam.txt' is not followed" in done.err
 
 
+def test_a_problem_that_is_not_found_or_at_fault_is_told_once(solve, hand_in, tmp_path):
+    hand_in(*[""] * 3)
+    done = solve("check", "exma.yaml", "in")
+    assert (done.code, done.err.count("error:")) == (2, 1)
+    assert "exma.yaml: error: there is no such file" in done.err
+    assert "needs review: in/0.yaml, in/1.yaml, in/2.yaml" in done.out + done.err
+    (tmp_path / "bad.yaml").write_text("find: 1\n", encoding="utf-8")
+    once, all_three = solve("check", "bad.yaml", "in/0.yaml"), solve("check", "bad.yaml", "in")
+    assert all_three.code == 2
+    assert all_three.err.count("error:") == once.err.count("error:") > 0
+
+
 def test_an_exam_that_is_not_found_is_told_where_it_is_named(solve, hand_in):
     hand_in(*["# mine\nexam: ../exam.yaml\n"] * 3)
     done = solve("check", "in")

@@ -164,3 +164,16 @@ def test_a_page_that_cannot_be_made_is_told(tmp_path):
         solver.exam(SMALL, templates=tmp_path)
     with pytest.raises(ValueError, match="no format 'docx'; there are html, pdf, latex"):
         solver.exam(SMALL, formats=("docx",))
+
+
+def test_where_there_is_nothing_to_mark_it_is_said(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "empty").mkdir()
+    for answers, told in (
+        ("nowhere/", "nowhere: error: there is no such file"),
+        ("a.yaml", "a.yaml: error: there is no such file"),
+        ("empty", "empty: error: there is no answer file in this folder; they end in .yaml"),
+    ):
+        with pytest.raises(InputError) as caught:
+            solver.check_exam(write_exam(tmp_path), answers)
+        assert caught.value.render().startswith(told)

@@ -31,7 +31,7 @@ from solver.papers.exam.report import report_page
 from solver.papers.exam.sheet import exam_sheet
 from solver.papers.interface.exams import Given
 from solver.problem.data import source_of_data
-from solver.problem.source import Fault, InputError, Source
+from solver.problem.source import Diagnostic, Fault, InputError, Source
 from solver.progress import Tell, Watch, shown
 
 Answers = str | Path | Sequence[str | Path] | Mapping[str, Mapping[Any, Any]]
@@ -110,7 +110,8 @@ def check_exam(  # noqa: PLR0913 - all but the first two have names
     `partial_credit` is "entries", "none" or "named", whatever the problems say; `override` are an instructor's changes,
     a file as for `--override`; with `solution` sheets have the worked solution, in so much `detail`. A file that cannot
     be read, or of which it is not sure whose it is, is not marked and says why. Raises
-    `solver.problem.source.InputError` where the exam, a file that it names, or a change is at fault.
+    `solver.problem.source.InputError` where the exam, a file that it names, or a change is at fault, and where there is
+    nothing to mark: no such file or folder, or no answer file in it.
     """
     told = Presentation(detail, Path(templates) if templates else None, language=language, notation=notation)
     within = Limits(**limits)
@@ -156,7 +157,10 @@ def _overridden(source: Source, exam: Exam, graded: Sequence[Graded]) -> tuple[G
 
 
 def _handed_in(answers: Answers, exam: Exam) -> list[HandedIn]:
-    """Read what was handed in: files, or by student the answers, or what a file says beside them: the variant."""
+    """Read what was handed in: files, or by student the answers, or what a file says beside them: the variant.
+
+    Raises InputError where the only file is not there, or a folder has no answer file.
+    """
     if isinstance(answers, Mapping):
         given: dict[str, dict[str, Any]] = {}
         for student, each in answers.items():
@@ -164,8 +168,16 @@ def _handed_in(answers: Answers, exam: Exam) -> list[HandedIn]:
             given[f"<{student}>"] = {"student": student, **said}
         return [handed_in(name, partial(source_of_data, each, name), exam) for name, each in given.items()]
     named = [Path(answers)] if isinstance(answers, str | Path) else [Path(each) for each in answers]
-    files = [file for each in named for file in (answer_files(each) if each.is_dir() else [each])]
+    if isinstance(answers, str | Path) and not named[0].is_dir():
+        load_submitted(named[0])  # that it is not there is told of a file among others by its place in the table
+    files = [file for each in named for file in (_answer_files(each) if each.is_dir() else [each])]
     return [handed_in(str(file), partial(load_submitted, file), exam) for file in files]
+
+
+def _answer_files(folder: Path) -> list[Path]:
+    if found := answer_files(folder):
+        return found
+    raise InputError(Source(str(folder), ""), [Diagnostic("there is no answer file in this folder; they end in .yaml")])
 
 
 __all__ = ["MarkedExam", "check_exam"]

@@ -13,6 +13,8 @@ from solver.problem.expressions.tokens import Token
 _TIMES = ("t", "k")
 _STEPS = ("u", "sigma", "1", "1.0")
 """How the unit step is written elsewhere."""
+_STEPS_ELSEWHERE = (*_STEPS, "theta", "epsilon", "eps")
+"""The same, with names that more often mean something else."""
 
 
 def check_name(token: Token, names: Names) -> None:
@@ -37,7 +39,9 @@ def check_call(token: Token, names: Names, following: Sequence[Token]) -> None:
         message = f"unclear: {name} is declared as a name, and is also a function"
         raise ExpressionError(message, token.at, length, f"{name}*(...)")
     if not (names.declares(name) or name in CONSTANTS or _is_single_symbol(token)):
-        raise ExpressionError(f"unknown function {name}", token.at, length, _function_like(name))
+        of_time = any(each.text in _TIMES and each.text in names.variables for each in following)
+        meant = f"step(...) or {name}*(...)" if of_time and name in _STEPS_ELSEWHERE else _function_like(name)
+        raise ExpressionError(f"unknown function {name}", token.at, length, meant)
     if following[0].text in names.variables and [each.text for each in following[1:2]] == [")"]:
         raise _no_function(token, following[0].text, following[0].text)
 
