@@ -61,7 +61,7 @@ def test_the_markings_are_those_of_one_after_the_other(jobs):
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_a_file_that_meets_the_limit_is_marked_part_by_part(monkeypatch, jobs):
     monkeypatch.setattr(within, "mark", stuck_marking)
-    found = list(mark_each(papers(), Limits(5), executor=forked(jobs)))
+    found = list(mark_each(papers(), Limits(3), executor=forked(jobs)))
     assert [marking.student for marking in found] == list(STUDENTS)
     assert {marking.marks for marking in found} == {found[0].marks}
 
