@@ -2,6 +2,7 @@
 
 import pytest
 
+from solver.problem.source import InputError
 from tests.helpers.marked import marked
 
 pytestmark = pytest.mark.xdist_group("torn_files")  # its problem is solved once
@@ -93,6 +94,11 @@ def test_a_value_that_cannot_be_read_within_braces_costs_nothing_but_itself():
 def test_the_name_of_a_student_loses_no_answer(student):
     found = verdicts(f"student: {student}\nanswers:\n  a:\n    K: [14, 4]\n{P}{END}")
     assert set(found.values()) == {"correct"}
+
+
+def test_where_it_is_not_clear_to_which_part_an_answer_belongs_the_file_is_at_fault():
+    with pytest.raises(InputError, match="missing"):
+        verdicts("answers: {a: {K: [14, 4], b: {controllable: yes}}\n")
 
 
 def test_lines_keep_their_numbers():
