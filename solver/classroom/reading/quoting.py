@@ -145,8 +145,9 @@ def _entry(lines: Sequence[str]) -> list[str]:
     below = [" " * max(0, before + 1 - _indentation(line)) + line if line.strip() else line for line in rest]
     if _stands("\n".join([first, *below])):
         return [first, *below]
-    if value.startswith("{") and value.count("{") > max(1, value.count("}")):
-        return list(lines)  # it is not clear where its bracket is missing, and what belongs to which part
+    unclear = value.startswith("{") and value.count("{") > max(1, value.count("}"))  # which part the rest belongs to
+    if unclear or (found[2] == "answers" and not before):
+        return list(lines)
     if not any(map(str.strip, rest)) and (mapped := _mapping(value)):
         return [f"{head} {mapped}{remark}", *rest]
     return [f"{head} {_in_quotes(_value([first, *rest]).removesuffix(remark))}{remark}", *[""] * len(rest)]
