@@ -16,6 +16,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.assembly import linear_combination
+from solver.exact.linear_algebra.constants import constant_form, number_multiplied_in
 from solver.exact.linear_algebra.generators import dependent_exponentials, generators_in, half_angles
 from solver.exact.linear_algebra.signs import is_not_zero
 from solver.words import Told
@@ -178,23 +179,7 @@ def collected(found: sp.Expr) -> sp.Expr:
     angles = {f.args[0] for f in found.atoms(sp.sin, sp.cos)}
     for angle in angles:
         found = trigonometric(found, angle)
-    return found if angles else _number_multiplied_in(sp.factor(found))
-
-
-def constant_form(found: sp.Expr) -> sp.Expr:
-    """A number multiplied out; one fraction where a sum with powers of e stands below a line: (e⁴ − 2)/(e² − 1)²."""
-    expanded: sp.Expr = sp.expand(found)
-    if not found.has(sp.exp, sp.E) or not any(
-        each.base.is_Add and each.exp.is_negative for each in expanded.atoms(sp.Pow)
-    ):
-        return expanded
-    return sp.cancel(sp.together(found))
-
-
-def _number_multiplied_in(factored: sp.Expr) -> sp.Expr:
-    """The expression with a number alone before a sum multiplied in: (p + q)/2 is p/2 + q/2."""
-    number, rest = factored.as_coeff_Mul()
-    return sp.Mul(number, rest) if rest.is_Add else factored
+    return found if angles else number_multiplied_in(sp.factor(found))
 
 
 def _linear_in(polynomial: sp.Expr, s: sp.Symbol, c: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:

@@ -52,7 +52,6 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
-            earned=("modal_matrix", "jordan_form"),
         ),
         AnswerName(
             "left_eigenvectors",
@@ -62,13 +61,7 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
             vectors="rows",
             principal=True,
         ),
-        AnswerName(
-            "jordan_form",
-            "J",
-            "the Jordan form, $AV = VJ$, with its ones above the diagonal",
-            modal=True,
-            principal=True,
-        ),
+        AnswerName("jordan_form", "J", "Jordan form, $AV = VJ$, ones above the diagonal", modal=True, principal=True),
         AnswerName("diagonalizable", r"\text{diagonalizable}", "whether $A$ has $n$ independent eigenvectors"),
     ],
 )
