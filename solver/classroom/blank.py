@@ -66,8 +66,10 @@ def _answers(part: Part, marker: Marker) -> Iterator[str]:
     asked = asked_of(part, task)
     width = max(map(len, asked), default=0)
     for name in asked:
-        known = name in ours and not task.answers[name].optional
-        told = _how(ours[name], task.answers[name], marker.is_determined(part, name), say) if known else ""
+        answer = task.answers[name]
+        # how an answer is written is not told where that says that there is one, beyond what the system says
+        known = name in ours and (not answer.optional or callable(answer.principal))
+        told = _how(ours[name], answer, marker.is_determined(part, name), say) if known else ""
         yield f"    {name + ':':{width + 2}} # {told}".rstrip(" #") if told else f"    {name}:"
     others = [name for name, answer in task.answers.items() if name not in asked and _given(answer, part)]
     if others:
