@@ -12,7 +12,7 @@ from solver.classroom.reading import items as listed
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrices import Unfolding, mapped
-from solver.classroom.reading.names import symbols_of
+from solver.classroom.reading.names import symbols_of, unknown_of
 from solver.classroom.reading.nodes import are_single, flat, is_trivial, labelled, lower, only, rows_of, text_of
 from solver.classroom.reading.prepared import with_powers, without_powers
 from solver.classroom.reading.segments import are_intervals, segments
@@ -119,11 +119,17 @@ class KindReader:
             node = mapped(node, typed(node)) or node
         if not isinstance(node, MappingNode):
             raise node.fault("names with their values are expected here, such as {x: 1, y: 2}")
-        read = {
-            _unknown(self.texts.expression(entry.key)[0], ours): self.texts.expression(entry.value) for entry in node
-        }
+        read = dict(self._entry(entry.key, entry.value, ours) for entry in node)
         values, forms = ({name: pair[i] for name, pair in read.items()} for i in (0, 1))
         return values, forms
+
+    def _entry(self, key: ScalarNode, value: Node, ours: Mapping[Any, Any]) -> tuple[Any, Pair]:
+        """An unknown with its value, in our letter where it is a sequence in another one."""
+        name, read = unknown_of(self.texts.expression(key)[0], ours), self.texts.expression(value)
+        own = ours.get(name)
+        if not isinstance(own, sp.Expr):
+            return name, read
+        return name, self._renamed(read, polynomials.in_usual_letter(read, own, self._known))
 
     def _set(self, node: Node, ours: Any) -> Pair:
         """A list; or all real numbers, in a word, where values of a parameter are asked for."""
@@ -291,10 +297,3 @@ class KindReader:
         """A value in our variable; that it is written in another one is told."""
         self.texts.respelt = self.texts.respelt or renamed[0] != read[0]
         return renamed
-
-
-def _unknown(name: Any, ours: Mapping[Any, Any]) -> Any:
-    """The unknown y that is called y_k or y_n; any other name as it is."""
-    bare = sp.Symbol(str(name).rpartition("_")[0])
-    indexed = str(name).endswith(("_k", "_n", "_t"))
-    return next((each for each in ours if str(each) == str(bare)), name) if indexed and name not in ours else name

@@ -21,6 +21,14 @@ _MORE = r"(?:strictly )?(?:greater|larger|bigger|more|above|größer|grösser|ov
 TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     (re.compile(pattern, re.IGNORECASE), change)
     for pattern, change in (
+        (r"^\s*∀\s*", ""),
+        (r"^\s*(?:none|there is no(?: such)?(?: value of)? [A-Za-z]\w*|not stable for any [A-Za-z]\w*"
+         r"|impossible|unmöglich|keine? werte? (?:von|für) [A-Za-z]\w*)\s*$", "never"),
+        (r"\s*,?\s*\(?(?:strictly|streng)\)\s*$", ""),
+        (r"\s*[,;]\s*(?:otherwise|else|sonst) (?:unstable|instabil)\s*$", ""),
+        (r"(?<=\d)\s*[,;]\s*(?:and |und )?(?:marginally stable|grenzstabil|unstable|instabil)\s+"
+         r"(?:for|für|if|at|bei)\s+[^,;]*$", ""),
+        (r"\b(?:has|needs|have|ought) to be\b|\bshould be\b", "must be"),
         (r"^[^<>≤≥≠]*?\b[A-Za-z]\w* ?= ?[\d./]+\s*[,;]\s*(?:so|hence|thus|therefore|also|⇒|→|=>)\s+(?=\S)", ""),
         (r"^\s*(?:it is |(?:the |das |der )?(?:(?:closed[ -])?(?:system|loop)|regelkreis) (?:is|ist) |is )?"
          r"(?:asymptotically |asymptotisch )?(?:stable|stabil)\s+"
@@ -45,6 +53,14 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\s*\((?:asymptotically |asymptotisch )?(?:stable|stabil)\)\s*$", ""),
         (r"\s*[.]\s*$", ""),
         (r"\s+for all\s+(?=[A-Za-z]\w*\s*[<>])", " "),
+        (rf"^\s*([A-Za-z])_?\{{?min\}}?\s*=\s*({_NUMBER})\s*(?:,|;|\band\b|\bund\b)\s*\1_?\{{?max\}}?\s*=\s*({_NUMBER})\s*$",
+         r"\1 between \2 and \3"),
+        (rf"^\s*([A-Za-z])_?\{{?max\}}?\s*=\s*({_NUMBER})\s*(?:,|;|\band\b|\bund\b)\s*\1_?\{{?min\}}?\s*=\s*({_NUMBER})\s*$",
+         r"\1 between \3 and \2"),
+        (r"^\s*([A-Za-z]\w*)\s*=\s*(?=[(\[\]][^()\[\]]*[,;][^()\[\]]*[)\]\[]\s*$)", r"\1 ∈ "),  # K = (0, 4)
+        (r"^([^≤≥=]*?)\s*\(\s*(?:open interval|offenes intervall)\s*\)\s*$", r"\1"),
+        (rf"^\s*([A-Za-z])_?\{{?min\}}?\s*=\s*({_NUMBER}\s*[<≤]=?\s*\1\s*[<≤]=?\s*)\1_?\{{?max\}}?\s*=\s*({_NUMBER})\s*$",
+         r"\2\3"),
         (r"\bis(?=\s+between\b)|\bist(?=\s+zwischen\b)|\blies(?=\s+between\b)", ""),
         (rf"\bbetween\s+({_NUMBER})\s+and\s+({_NUMBER})\s*,?\s*{_OPEN}", r"∈ (\1, \2)"),
         (rf"\bbetween\s+({_NUMBER})\s+and\s+({_NUMBER})\s*,?\s*{_CLOSED}", r"∈ [\1, \2]"),

@@ -14,6 +14,8 @@ _SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
 _OUTER = re.compile(r"^\s*([-+]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
+_PARAMETER = re.compile(r"([KT])_?\{?([pPidIDnNvV])\}?\s*=\s*([\d./√]+)\s*(?:s|sec)?")
+_ACTIONS = {"KI": "{}/s", "KD": "{}*s", "TI": "1/({}*s)", "TN": "1/({}*s)", "TD": "{}*s", "TV": "{}*s"}
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
 _AT = r"(?:\(\s*{0}\s*\)|\[\s*{0}\s*\]|_\{{\s*{0}\s*\}}|_{0})"
 _DIFFERENCES = re.compile(rf"^\s*(Δ|∆|\\?Delta\s*)?u{_AT.format('[kn]')}\s*=\s*(.+)$", re.DOTALL)
@@ -73,6 +75,20 @@ def coefficients_of(text: str) -> str:
             named[shift] = f"{sign.strip('+')}({factor or '1'})"
     listed = [named.get(i, "0") for i in range(max([2, *named]) + 1)]
     return f"[{', '.join(listed)}]" if before and named else ""
+
+
+def controller_of(text: str) -> str:
+    """Return the controller of K_p = 3, T_i = 1, T_d = 0.25, or of K_p, K_i and K_d; "" of any other text."""
+    pieces = [each.strip() for each in split(text, re.compile(r"\s*(?:[,;]|\band\b|\bund\b)\s*"))]
+    found = [_PARAMETER.fullmatch(each) for each in pieces]
+    named = {f"{each[1]}{each[2]}".upper(): f"({each[3].strip()})" for each in found if each}
+    if len(named) < len(pieces) or "KP" not in named:
+        return ""
+    gain = named.pop("KP")
+    if not named or not named.keys() <= _ACTIONS.keys() or len({each[0] for each in named}) > 1:
+        return ""
+    summed = " + ".join(_ACTIONS[name].format(value) for name, value in named.items())
+    return f"{gain} + {summed}" if "K" in {each[0] for each in named} else f"{gain}*(1 + {summed})"
 
 
 def _row_beside(law: str, state: str) -> tuple[str, str] | None:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from solver.classroom.reading.brackets import enclosed, split
+from solver.classroom.reading.list_texts import with_every_index, with_named_conjugates
 from solver.classroom.reading.terms import LABELS
 from solver.derivation import AnswerName
 from solver.problem.expressions.notation import FUNCTIONS, GREEK
@@ -61,7 +62,7 @@ _DEFINED = re.compile(
     r"|e\^[({]?\s*A\s*[)}]?|A\^[({]?\w+[)}]?|[ΣP∑(\\].*(?:Δ|\\Delta).*/\s*(?:Δ|\\Delta)"
 )
 _NAMES = re.compile(r"[\[({]\s*[^\W\d]\w*(?:\s*[,;\s]\s*[^\W\d]\w*)+\s*[\])}]")
-_LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞")
+_LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞|1\s*/\s*\|[A-Z]\w*\(.*\)\|")
 _ARGUMENTS = re.compile(r"(?<=[\w}*'])\s*\(([^()=]*)\)$")
 _VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
 _OF_A = re.compile(r"(?=.*\bA\b)[\d\s+*/^(){}·−AIest-]+")
@@ -144,7 +145,10 @@ class Labels:
 
     def is_of_others(self, text: str) -> bool:
         """Whether a formula has names, and none of them may be what the answer is called."""
-        names = {_normal("omega" if each[0] == "w" else each) for each in _WORDS.findall(text)}
+        words = [each for each in _WORDS.findall(text) if each not in ("π", "pi")]
+        names = {_normal("omega" if each[0] == "w" else each) for each in words} - self.others
+        if not names:
+            return bool(words)
         letters = {_letter(each).lower() for each in self.own}
         return bool(names) and not {_letter(each).lower() for each in names if each not in FUNCTIONS} & letters
 
@@ -226,7 +230,11 @@ def _without_own_names(named: Sequence[tuple[str, str]]) -> list[str]:
 
 
 def with_own_labels(text: str) -> str:
-    """Return a list without "b ∈" before it, and with λ_{1,2} = 3 as λ_1 = λ_2 = 3; where ± says two values, as one."""
+    """Return a list without "b ∈" before it, and with λ_{1,2} = 3 as λ_1 = λ_2 = 3; where ± says two values, as one.
+
+    A value that is the conjugate of another one, λ_2 = conj(λ_1), is written as a value.
+    """
+    text = with_every_index(with_named_conjugates(text))
 
     def each(found: re.Match[str]) -> str:
         name, shared, value = found.groups()

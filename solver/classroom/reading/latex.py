@@ -61,6 +61,7 @@ _WORDS = {
     **_NAMES,
 }
 """Commands without arguments and what they stand for."""
+_DEGREES = re.compile(r"\s*\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![a-z]))")
 
 
 class NotReadableError(Exception):
@@ -76,6 +77,7 @@ def translated(text: str) -> str:
     """Return LaTeX in plain notation: matrices as [a, b; c, d], fractions in brackets. Raises NotReadableError."""
     text = _WHOLE_OVER.sub(r"\\frac{\1}{\2}", _OVER.sub(r"\\frac{\1}{\2}", text))
     text = _FACTOR.sub(r"\1 \2", _SPACED.sub(r"\1", text)).replace("{,}", ",")
+    text = _DEGREES.sub("°", text)
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
     found = re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()
     return re.sub(r"(?<=\w) (?=')", "", found)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from solver.classroom.reading.brackets import split
+
 _COLUMN = re.compile(r"\s*[\[(]([^\[\]();,]+(?:;[^\[\]();,]+)+)[\])]\s*")
 _NAMED = re.compile(r"\s*([^\W\d]\w*)\s*[:=]\s*([^:=]*\S)\s*")
 _CALL = re.compile(
@@ -17,6 +19,13 @@ _CONJUGATE = re.compile(
     re.IGNORECASE,
 )
 _IMAGINARY = re.compile(r"^(.*?)([-+−])(\s*(?:[ij][^-+−,;]*|[^-+−,;]*[ij]))$")
+_CONJUGATE_OF = re.compile(
+    r"(?:conj|conjugate|konj)\s*\(\s*(\w+)\s*\)|([^\W\d]\w*)\s*\^?\s*\{?\*\}?|\\?(?:bar|overline)\s*[{(]\s*(\w+)\s*[)}]"
+)
+_INDEXED = re.compile(
+    r"\s*([^=<>;]+?)\s*[,;(]?\s*(?:\b(?:for|für|with|mit)\b)?\s*\b([knlmq])\s*=\s*([-−]?\d(?:\s*,\s*[-−]?\d)+)\s*\)?\s*\.?"
+)
+_ITEMS = re.compile(r"\s*[,;]\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+")
 _MULTIPLICITY = re.compile(
     r",\s*((?:alg\w*\.?\s*)?(?:mult\w*\.?|vielfachheit|vfh\.?)\s*(?:=|of)?\s*\d)(?=\s*(?:[,;.]|$))", re.IGNORECASE
 )
@@ -30,6 +39,8 @@ _EACH = re.compile(
 )
 _ANGLES_OF_ALL = re.compile(r"^[^,;]*\(\s*(?:2\s*[kqnlm]|[kqnlm]\s*·?\s*360)[^,;=:]*[=:]\s*(?=[^=]*$)")
 _THEN = re.compile(r"\s*(?:→|->|,?\s+(?:then|dann|danach)\b)\s*")
+_BETWEEN_BARS = re.compile(r"\s*[^|(]+(?:\s\|\s[^|(]+)+")
+_BOTH_SIGNS = re.compile(r"\s*\+\s*([^-+−/,;=]+?)\s*/\s*[-−]\s*([^-+−/,;=]+?)\s*")
 _OR = re.compile(r"\s+(?:or|oder)\s+")
 _SETS = re.compile(r"\}\s*(?:∪|\bund\b|\band\b|,)\s*\{")
 
@@ -39,6 +50,47 @@ def with_conjugates(text: str) -> str:
     found = _CONJUGATE.search(text)
     parts = _IMAGINARY.match(text[: found.start()].strip()) if found else None
     return f"{parts[1]}±{parts[3]}" if parts else ""
+
+
+def with_named_conjugates(text: str) -> str:
+    """Return λ1 = -1 + 3j, λ2 = -1 - 3j for "λ1 = -1 + 3j, λ2 = conj(λ1)" and for "λ1 = conj(λ2) = -1 + 3j"."""
+    known: dict[str, str] = {}
+    items: list[str] = []
+    found = False
+    for item in split(text, _ITEMS):
+        name, *values = [each.strip() for each in item.split("=")]
+        other = _CONJUGATE_OF.fullmatch(values[0]) if values else None
+        if other is None:
+            known |= {name: values[-1]} if values else {}
+            items.append(item)
+            continue
+        found = True
+        of = next(each for each in other.groups() if each).strip()
+        value = known.get(of, "") if len(values) == 1 else values[1]
+        if len(values) > 2 or not (turned := _turned(value)):
+            return text
+        items += [f"{name} = {turned}"] if len(values) == 1 else [f"{name} = {value}", f"{of} = {turned}"]
+    return ", ".join(items) if found else text
+
+
+def with_every_index(text: str) -> str:
+    """Return 60°, 180°, 300° as products for "(2k+1)·60°, k = 0, 1, 2"; any other text as it is."""
+    found = _INDEXED.fullmatch(text)
+    if found is None:
+        return text
+    formula, index, values = found.groups()
+    whole = re.compile(rf"(?<![^\W\d_]){index}(?![\w(])")
+    if "," in formula or not whole.search(formula):
+        return text
+    return ", ".join(whole.sub(f"*({value.strip()})", formula) for value in values.split(","))
+
+
+def _turned(value: str) -> str:
+    """The conjugate of -1 + 3j; "" of what is no such number."""
+    found = _IMAGINARY.match(value)
+    if found is None:
+        return f"-{value}" if re.fullmatch(r"[\d./√()]*[ij][\d./√()]*", value) else ""
+    return f"{found[1]}{'-' if found[2] == '+' else '+'}{found[3]}" if "±" not in value else ""
 
 
 def with_multiplicities(text: str) -> str:
@@ -64,6 +116,17 @@ def behind_angles_of_all(text: str) -> str:
 def one_after_another(text: str) -> str:
     """Return -20, -40 for "-20, then -40" and for "-20 → -40"."""
     return _THEN.sub(", ", text)
+
+
+def between_bars(text: str) -> str:
+    """Return -20, -40 for "-20 | -40"; "" of any other text."""
+    return text.replace("|", ",") if _BETWEEN_BARS.fullmatch(text) else ""
+
+
+def of_both_signs(text: str) -> str:
+    """Return ±2j for "+2j/-2j"; "" of any other text."""
+    found = _BOTH_SIGNS.fullmatch(text)
+    return f"±{found[1]}" if found and found[1] == found[2] else ""
 
 
 def joined_alternatives(text: str) -> str:

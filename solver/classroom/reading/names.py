@@ -30,3 +30,12 @@ def symbols_of(value: Any) -> set[sp.Symbol]:
     if isinstance(value, list | tuple):
         return set().union(*map(symbols_of, value))
     return set(getattr(value, "free_symbols", ()))
+
+
+def unknown_of(name: Any, ours: Mapping[Any, Any]) -> Any:
+    """Return the unknown y of ours that is called y_k or y_n; any other name as it is."""
+    bare = sp.Symbol(str(name).rpartition("_")[0])
+    indexed = str(name).endswith(("_k", "_n", "_t"))
+    if isinstance(name, sp.Mul) and len(name.args) == 2 and {str(x) for x in name.args} & {"k", "n", "t"}:  # y[n], yk
+        return next((each for each in ours if each in name.args), name)
+    return next((each for each in ours if str(each) == str(bare)), name) if indexed and name not in ours else name

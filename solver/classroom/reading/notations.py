@@ -87,6 +87,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"_?[₀-₉]+", lambda found: f"_{found[0].lstrip('_').translate(_SUBSCRIPTS)}"),  # x₁ for x_1
         (r"_\{\s*(\w+)\s*\}", r"_\1"),  # x_{1}
         (r"_\(\s*(\d+)\s*\)", r"_\1"),
+        (r"(?<=\d)\s*[\[(]\s*%\s*[\])]", "%"),  # 9.5 [%]
         (r"(\d+(?:\.\d+)?)\s*(?:%|percent\b|Prozent\b)", r"\1e-2"),
         (r"\.(?=[*/^])", ""),  # MATLAB's 2.*t
         (r"(?<=\d)\.(?![\d.])", ""),  # numpy's 1.
@@ -155,7 +156,7 @@ def _with_steps(text: str, names: Names) -> str:
     """u(t - 2), σ(t), 1(t) as step(t - 2), … where the problem has no such name."""
     declared = {*names.symbols, *names.values, *names.functions}
     free = "|".join(name for name in _STEPS if name not in declared)
-    call = re.compile(rf"(?:(?<![A-Za-z_])(?:{free})|(?<![\w.)])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tkn])(?!\w))")
+    call = re.compile(rf"(?:(?<![A-Za-z_])(?:{free})|(?<![\w.])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tkn])(?!\w))")
     return call.sub(lambda found: found[0] if _is_parameter(found[1], names) else "step(", text)
 
 

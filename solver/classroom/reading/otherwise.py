@@ -14,10 +14,11 @@ import sympy as sp
 
 from solver.classroom.reading import list_texts, matrix_remarks, matrix_texts, remarks
 from solver.classroom.reading.brackets import closed
-from solver.classroom.reading.control_laws import coefficients_of, gain_of, law_of
+from solver.classroom.reading.control_laws import coefficients_of, controller_of, gain_of, law_of
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.likeness import is_of_time
+from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.piecewise import as_steps, with_first_value
 from solver.classroom.reading.polynomials import of_named_coefficients, variable_of
 from solver.classroom.reading.printed import in_rows
@@ -119,6 +120,10 @@ def _is_signal(ours: Any, expected: Expected) -> bool:
     return is_of_time(ours, expected.name) or expected.name in ("f", "y")
 
 
+def _is_of_z(ours: Any, _: Expected) -> bool:
+    return "z" in {symbol.name for symbol in symbols_of(ours)}
+
+
 def _are_modes(_: Any, expected: Expected) -> bool:
     return expected.name.endswith("_modes")
 
@@ -173,6 +178,8 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
             _text(list_texts.with_multiplicities),
             _text(list_texts.each_so_often),
             _text(list_texts.one_after_another),
+            _text(list_texts.between_bars),
+            _text(list_texts.of_both_signs),
         ),
     ),
     (_is_plain_list, (_printed,)),
@@ -181,6 +188,7 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
     (_named("solution"), (_text(_solution),)),
     (_named("coefficients"), (_text(coefficients_of),)),
     (_named("K"), (_text(gain_of),)),
+    (_named("controller"), (_text(controller_of),)),
     (_named("u"), (_text(law_of),)),
     (_are_vectors, (_text(matrix_texts.without_factors), _text(matrix_texts.both_vectors))),
     (
@@ -203,6 +211,7 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
         _is_square,
         (_shape(matrix_texts.symmetric), _shape(matrix_remarks.mirrored), _shape(matrix_texts.with_identities)),
     ),
+    (_is_of_z, (_text(remarks.without_sample_time),)),
     (_are_modes, (_modes,)),
     (_named("values"), (_text(_values_when_lost),)),
     (_is_list, (_text(list_texts.joined_sets),)),

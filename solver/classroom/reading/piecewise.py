@@ -17,9 +17,11 @@ _LABEL = re.compile(r"^\s*[A-Za-z]\w*\s*(?:\(t\))?\s*=\s*$|^\s*$")
 _FOR = r"(?:for|für|if|falls|when|wenn|while|where|,)\s*:?"
 _SEPARATOR = re.compile(r"\s*[;\n]\s*|\s*,\s*(?:and\s+|und\s+)?(?=\S)|\s+(?:and|und)\s+")
 _PIECE = re.compile(rf"^(.+?)\s+(?:{_FOR})\s+(.*\bt\b.*|otherwise|sonst|else)$"
-    rf"|^(.+?)\s*\(\s*(?:{_FOR})?\s*([^()]*\bt\b[^()]*[<>≤≥][^()]*|[^()]*[<>≤≥][^()]*\bt\b[^()]*)\)$",
+    rf"|^(.+?)\s*\(\s*(?:{_FOR})?\s*([^()]*\bt\b[^()]*[<>≤≥][^()]*|[^()]*[<>≤≥][^()]*\bt\b[^()]*)\)$"
+    r"|^(.+?)\s*,\s*([^,]*\bt\b[^,]*[<>≤≥][^,]*|[^,]*[<>≤≥][^,]*\bt\b[^,]*)$",
                     re.DOTALL)  # fmt: skip
 _REST = re.compile(r"^([^<>≤≥]+?)\s*,?\s+(?:otherwise|sonst|else)\s*\.?$")
+_ELSE = re.compile(r"^(?:otherwise|sonst|else)\s*[:,]?\s+([^<>≤≥]+?)\s*\.?$")
 _OTHERWISE = {"otherwise", "sonst", "else", "true", "\\text{otherwise}", "\\text{sonst}"}
 _RANGE = re.compile(r"^(?:([^<>≤≥t]+?)\s*(?:<=?|≤)\s*)?t\s*(?:(?:<=?|≤)\s*([^<>≤≥t]+))?$")
 _FROM = re.compile(r"^t\s*(?:>=?|≥)\s*([^<>≤≥t]+)$|^([^<>≤≥t]+)\s*(?:>=?|≥)\s*t$")
@@ -44,6 +46,8 @@ def as_steps(text: str) -> str:
         return ""
     pieces = [_bounded(formula, condition) for formula, condition in pairs]
     known = [piece for piece in pieces if piece is not None]
+    first = [piece for piece in known if not piece[1] and piece[2]]  # for t < 1, wherever it is told
+    known = [*first, *(piece for piece in known if piece not in first)]
     return _sum(known) if len(known) == len(pieces) else ""
 
 
@@ -73,13 +77,14 @@ def _pairs(text: str) -> list[tuple[str, str]]:
         return _of_call(text[call.end() : -1], matlab=call[1] == "piecewise")
     found_pairs = []
     for piece in _pieces(text):
-        if (match := _REST.match(piece.strip())) is not None:
+        if (match := _REST.match(piece.strip()) or _ELSE.match(piece.strip())) is not None:
             found_pairs.append((match[1], "otherwise"))
             continue
         match = _PIECE.match(piece.strip())
         if match is None:
             return []
-        found_pairs.append(((match[1] or match[3]).strip().rstrip(","), (match[2] or match[4]).strip()))
+        formula, condition = (next(filter(None, match.groups()[of::2])) for of in (0, 1))
+        found_pairs.append((formula.strip().rstrip(","), condition.strip()))
     return found_pairs
 
 

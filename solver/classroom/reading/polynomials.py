@@ -21,6 +21,7 @@ _COEFFICIENTS = re.compile(r"(?:\b\w+\.)*\b(?:poly2sym|polyval|poly1d)\s*\(")
 _ASCENDING = re.compile(r"\s*(?:\w+\.)*Polynomial\s*\(\s*\[([^\[\]]*)\]\s*(?:,[^()\[\]]*)?\)\s*")
 """Polynomials of numpy and of Julia, with the lowest power first."""
 _ZPK = re.compile(r"(?:\b\w+\.)*\bzpk\s*\(")
+_PID = re.compile(r"^\s*pid(std)?\s*\(([^()]*)\)\s*$")
 _NUM_AND_DEN = re.compile(r"^\s*num\w*\s*[=:]\s*([^=]*?)\s*[,;]\s*den\w*\s*[=:]\s*([^=]*)$", re.IGNORECASE)
 _ROOTS = re.compile(r"(?:\b\w+\.)*\bpoly\s*\((?=\s*\[)")
 _CONVOLVED = re.compile(r"\s*(?:\w+\.)*(?:conv|convolve|polymul)\s*\((.*)\)\s*", re.DOTALL)
@@ -157,7 +158,7 @@ def with_quotients(text: str, variable: str) -> str:
         return _polynomial(text, variable) or text
     if found := _ASCENDING.fullmatch(text):
         text = f"poly2sym([{', '.join(split(found[1], ',')[::-1])}])"
-    text = _BAR.sub(r"(\1)/(\2)", text)
+    text = _with_controllers(_BAR.sub(r"(\1)/(\2)", text), variable)
     if found := _NUM_AND_DEN.match(text):
         text = f"tf({found[1]}, {found[2]})"
     text = _with_roots_only(text, variable)
@@ -172,6 +173,18 @@ def with_quotients(text: str, variable: str) -> str:
             return text
         text = f"{text[: found.start()]}(({above})/({below})){text[end + 1 :]}"
     return text
+
+
+def _with_controllers(text: str, variable: str) -> str:
+    """MATLAB's pid(K_p, K_i, K_d) and pidstd(K_p, T_i, T_d) in s as sums; any other text as it is."""
+    found = _PID.match(text)
+    terms = [f"({each.strip()})" for each in split(found[2], ",")] if found else []
+    if found is None or variable != "s" or not 0 < len(terms) < 4 or any("=" in each for each in terms):
+        return text
+    standard = bool(found[1])
+    shapes = ("1", "1/({}*s)", "{}*s") if standard else ("{}", "{}/s", "{}*s")
+    whole = " + ".join(shape.format(term) for shape, term in zip(shapes, terms, strict=False))
+    return f"{terms[0]}*({whole})" if standard else whole
 
 
 def _is_sampled(more: Sequence[str], variable: str) -> bool:

@@ -19,7 +19,7 @@ from solver.problem.expressions.notation import GREEK_NAMES
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.symbols import POLYNOMIAL
 
-_RULE = re.compile(r"\s*(?:->|→)\s*")
+_RULE = re.compile(r"\s*(?:->|→)\s*(?!\s*(?:∞|\+∞|oo|inf|\\infty))")
 _TURNED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:\^\(?\s*T\s*\)?|ᵀ|\^\{T\})\s*=\s*(.*[\])])\s*$", re.DOTALL)
 _NOT_ZERO = re.compile(
     r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$|\s*[,;(]\s*(?:(?:which )?is |ist )?(?:not|nicht|≠) ?(?:zero|null|0)\s*\)?\s*\.?$"

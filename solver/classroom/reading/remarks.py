@@ -23,12 +23,16 @@ _REGION = re.compile(
     r"(?:(?:\\?(?:Re|Real|operatorname\{Re\})\s*[({]?\s*s\s*[)}]?|σ|sigma)\s*>\s*[^,;=<>]+"
     r"|\|\s*z\s*\|\s*>\s*[^,;=<>]+)\)?\s*\.?$"
 )
+_SAMPLED = re.compile(
+    r"\s*(?:,|;|\()\s*(?:(?:with|for|mit|für)\s+)?(?:sampl\w+ time:?\s*)?"
+    r"(?:T(?:_?\{?[sSaA0]\}?)?|h|dt)\s*=\s*[\d.]+\s*(?:s|sec|ms|seconds?)?\s*\)?\s*\.?$"
+)
 _TRANSFORMED = re.compile(
     r"^\s*(?:\\mathcal\s*\{?\s*[LZ]\s*\}?|\\mathscr\s*\{?\s*[LZ]\s*\}?|[LZℒ𝒵])\s*(?P<inverse>\^\s*\{?\(?\s*[-−]\s*1\s*\)?\}?|⁻¹)?"
     r"\s*\\?[{\[(][^=]*?[}\])]\s*=\s*(?=\S)"
 )
 _EQUATION = re.compile(r"^\s*(?:\w+\.)*Eq\s*\(\s*([A-Za-z]\w*(?:\([tk]\))?)\s*,\s*(.+)\)\s*$", re.DOTALL)
-_GIVEN = re.compile(rf"^({_NAME})\s*=\s*([-+−]?[\d./√()\s]+)$")
+_GIVEN = re.compile(rf"^({_NAME})\s*=\s*([^=<>≤≥,;]+)$")
 _WITH = re.compile(r"\s*,?\s*(?:\b(?:with|where|mit|wobei|and|und)\b|[,;:])\s*")
 _SOLVED = re.compile(r"^[^=,;]*[-+−*^²³][^=,;]*=\s*0\s*[,;:]\s*(?=[^\s=])")
 MOST_CONSTANTS = 8
@@ -47,6 +51,11 @@ def without_remarks(text: str, own: str) -> str:
 def without_region(text: str) -> str:
     """Return a transform without where it converges."""
     return _REGION.sub("", text)
+
+
+def without_sample_time(text: str) -> str:
+    """Return a pulse transfer function without the sample time beside it."""
+    return _SAMPLED.sub("", text)
 
 
 def without_transformed(text: str, name: str) -> str:
@@ -76,7 +85,8 @@ def with_constants(text: str, known: Collection[str]) -> str:
     for each in found:
         if each[1] in known:
             return ""
-        whole = re.compile(rf"(?<![\w\\]){re.escape(each[1])}(?!\w)")
+        beside = "|(?=[sz](?!\\w))" if len(each[1]) == 1 else ""  # τs
+        whole = re.compile(rf"(?<![\w\\]){re.escape(each[1])}(?:(?!\w){beside})")
         if not whole.search(formula):
             return ""
         value = f"({each[2].strip()})"

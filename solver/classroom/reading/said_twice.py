@@ -13,6 +13,7 @@ from solver.classroom.submitted import Decimal, Submitted
 
 MOST_SIDES = 4
 _EQUAL = re.compile(r"\s*(?:[≈≅≙≃≐]|(?<![<>=!:])=(?![=>]))\s*")
+_OR = re.compile(r"^([-+−\d./]+)\s+(?:or|oder|bzw\.?)\s+([-+−]?[\d.]+\s*(?:dB|°|%|deg|rad))\s*\.?$")
 _AGAIN = re.compile(
     r"^(.*[\w)°%])\s*\(\s*(?:(?:[≈≅~=]|approx\.?|ca\.?|about|i\.e\.|d\.h\.)\s*([-+−\d.][^()=]*)|"
     r"([-+−]?[\d.]+\s*(?:dB|°|%|rad/s|rad|deg|Hz|ms|s)))\s*\)\s*\.?$"
@@ -28,6 +29,8 @@ def sides(text: str) -> list[str]:
     """
     if again := _AGAIN.match(text):
         text = f"{again[1]} = {again[2] or again[3]}"
+    if either := _OR.match(text):
+        text = f"{either[1]} = {either[2]}"
     found = split(text, _EQUAL)
     return found if 1 < len(found) <= MOST_SIDES and all(side.strip() for side in found) else [text]
 
@@ -50,12 +53,20 @@ def same(one: Submitted, other: Submitted) -> bool:
     left, right = _entries(one.form), _entries(other.form)
     if len(left) != len(right):
         return False
+    if isinstance(one.form, list) and not any(each.free_symbols - set(decimals) for each in (*left, *right)):
+        left, right = (sorted(each, key=lambda x: _place(x, decimals)) for each in (left, right))
     letters = sorted(set().union(*(each.free_symbols for each in (*left, *right))) - set(decimals), key=str)
     for place in PLACES:
         at = {letter: place + sp.Rational(i, 7) for i, letter in enumerate(letters)}
         if not all(agree(a.xreplace(at), b.xreplace(at), decimals) for a, b in zip(left, right, strict=True)):
             return False
     return True
+
+
+def _place(number: Any, decimals: Mapping[sp.Symbol, Decimal]) -> tuple[float, float]:
+    """Where a number stands among those of a list, by its parts."""
+    value = complex(sp.N(number.xreplace({symbol: decimal.number for symbol, decimal in decimals.items()})))
+    return round(value.real, 9), value.imag
 
 
 def _entries(form: Any) -> list[Any]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 NAME = "sigma"
 _BETWEEN = re.compile(
-    r"([\])\[])\s*(?:,\s*(?:and|und)?|;|\band\b|\bund\b|\bor\b|\boder\b|\bU\b|\+)\s*(?=[\[(\]]|Interval\b)",
+    r"([\])\[])\s*(?:,\s*(?:and|und)?|;|\band\b|\bund\b|\bor\b|\boder\b|\bU\b|\+|&)\s*(?=[\[(\]]|Interval\b)",
     re.IGNORECASE,
 )
 
@@ -25,6 +25,10 @@ _RANGE = re.compile(rf"\b(?:between|from|zwischen|von)\s+{_END}\s+(?:and|to|und|
 _LEFT = re.compile(rf"\b(?:to the )?(?:left of|links von)\s+{_END}", re.IGNORECASE)
 _RIGHT = re.compile(rf"\b(?:to the )?(?:right of|rechts von)\s+{_END}", re.IGNORECASE)
 _REAL_PART = re.compile(r"\\?\bRe\s*[({]?\s*s\s*[)}]?")
+_SPACED = re.compile(r"(?<=[\[(])\s*([-+−]?(?:\d[\d.]*|inf|∞|oo))\s+([-+−]?(?:\d[\d.]*|inf|∞|oo))\s*(?=[\])])")
+"""[-2 0] of MATLAB."""
+_TURNED = re.compile(rf"([\[(\]])\s*{_END}\s*[,;]\s*{_END}\s*([\])\[])")
+_MIRRORED = {"[": "]", "]": "[", "(": ")", ")": "("}
 _PART = re.compile(r"^\s*(?:the )?(?:real )?(?:axis|part|segments?)\s+(?=[\[(])", re.IGNORECASE)
 
 
@@ -69,7 +73,13 @@ def _in_words(text: str) -> str:
         ends = sorted(found.groups(), key=_size)
         return f"[{ends[0]}, {ends[1]}]"
 
-    text = _REAL_PART.sub("s", text)
+    def rising(found: re.Match[str]) -> str:
+        left, one, other, right = found.groups()
+        if _size(one) <= _size(other):
+            return found[0]
+        return f"{_MIRRORED[right]}{other}, {one}{_MIRRORED[left]}"
+
+    text = _TURNED.sub(rising, _SPACED.sub(r"\1, \2", _REAL_PART.sub("s", text)))
     text = _PART.sub("", _RANGE.sub(between, text))
     return _RIGHT.sub(r"[\1, ∞)", _LEFT.sub(r"(-∞, \1]", text))
 

@@ -20,7 +20,8 @@ _SO = re.compile(
 )
 _WORD = re.compile(r"\s*([^\W\d_][^\W\d_]+)(?![\w(^])[,:]?\s*(?=\S)")
 _ABOUT = re.compile(
-    r"\s*(?:~|∼|≈|≅|\\approx|\\sim|(?:approx(?:imately)?|about|circa|ca|roughly|rund|etwa|ungefähr)\b\.?)\s*",
+    r"\s*(?:~|∼|≈|≅|\\approx|\\sim|(?:(?:a )?factor(?: of)?|faktor|exactly|genau"
+    r"|approx(?:imately)?|about|circa|ca|roughly|rund|etwa|ungefähr)\b\.?)\s*",
     re.IGNORECASE,
 )
 _UNIT = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s)\s*\]\s*$")
@@ -33,14 +34,29 @@ _REMARKS = (
     " constant konstant konstante underdamped overdamped undamped critically damped damping nonminimum non-minimum"
     " minimum phase first second third fourth state slow fast dominant oscillating oscillation oscillatory"
     " decaying distinct simple stabilizing stabilising stabilisierend stabilisierende integrator marginal exact"
+    " critical lag lead zero zeros asymptote asymptotes one two three corner"
     " golden ratio vector left right half plane halfplane half-plane lhp rhp open linke rechte halbebene"
 )
 """Words of which remarks in brackets are made that deny nothing."""
 _WORDS = "|".join(sorted(_REMARKS.split(), key=len, reverse=True))
 _REMARK = re.compile(
-    rf"\s*\(\s*(?:(?:(?:(?:{_WORDS}|all|and|the|of|in)[\s,]+){{0,6}}(?:{_WORDS}))|not zero|only at infinity)\s*\)",
+    rf"\s*\(\s*(?:(?:(?:(?:{_WORDS}|all|and|the|of|in)[\s,]+){{0,6}}(?:{_WORDS}))|type? \d"
+    r"|[25] ?%(?:[ -](?:band|criterion|kriterium))?|not zero"
+    r"|only at infinity)\s*\)",
     re.IGNORECASE,
 )
+_SINCE = re.compile(
+    r"\s*\(\s*(?:since|because|as|from|by|weil|da|denn|aus|wegen)\s+[^()]*(?:\([^()]*\)[^()]*)*\)\s*\.?$", re.IGNORECASE
+)
+_INFINITE = re.compile(r"^([^()]*(?:∞|\binf|\binfinity|\binfinite|\boo|unendlich))\s*\([^()]*\)\s*\.?$")
+_REFUSED = re.compile(
+    r"\s*[,;(]\s*(?:the other(?: one)?[^()]*?|die andere[^()]*?|[-−+\d./√ ]+)\s*(?:(?:is|lies|does|ist|liegt)\s+)?"
+    r"(?:not (?:lie )?on the (?:root )?locus|rejected|discarded|no breakaway point"
+    r"|nicht auf der (?:wok|wurzelortskurve))"
+    r"\s*\)?\s*\.?$",
+    re.IGNORECASE,
+)
+"""What was found too, and is none."""
 _LOST = re.compile(
     r"\s*\(\s*(?:uncontrollable|unobservable|hidden|not (?:controllable|observable)"
     r"|nicht (?:steuerbar|beobachtbar))\s*\)"
@@ -56,9 +72,12 @@ _PAIR = re.compile(
 _OF = re.compile(r"\s*(?:of|von)\s+(?:the\s+)?(?:[A-Z]|\([A-Z],\s*[A-Z]\))\s+(?=\S)")
 _IS = re.compile(r"(?<=[\w})])\s+(?:is|ist|equals)\s+(?=[-+−\d.√(])")
 
+_ASYMPTOTE = re.compile(r"^\s*(?:(?:one|two|three|four|\d) )?asymptotes? (?:at|with angles?(?: of)?) ", re.IGNORECASE)
 _COMPARED = re.compile(
     r"(?<![\w.)])([-+−]?\s*\d{1,9}(?:\.\d{1,9})?)\s*\(?\s*([<>])\s*(\d{1,3}(?:\.\d{1,3})?)(?![.\d])\s*\)?"
 )
+_TWO = re.compile(r"±|\+/-|\+-|\\pm")
+_NUMBERS = re.compile(r"[-+−]?[\d.]+\s*(?:[,;]|\band\b|\bund\b)\s*[-+−]?[\d.]+")
 _BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]|\{[^{}]*\}")
 _DENIED = re.compile(
     r"\b(?:not|no|nicht|kein\w*|never|neither|nor|and|or|und|oder|but|aber|if|unless|without|wrong|false)\b|[≠;,\n]",
@@ -66,10 +85,10 @@ _DENIED = re.compile(
 )
 
 FILLING = frozenset(
-    "the of is are at be lie lies equals equal to we get obtain have has result answer value values it tends goes"
-    " converges only der die das des ist sind lautet lauten bei liegt liegen beträgt ergibt sich zu mit with and und"
-    " system matrix plant origin there result results final solution ergebnis endergebnis antwort lösung somit damit"
-    " folgt".split()
+    "the of is are at be lie lies equals equal to we get obtain have has result answer value values it"
+    " tends goes decays approaches settles geht gegen strebt converges only der die das des ist sind lautet lauten bei"
+    " liegt liegen beträgt ergibt sich zu mit with and und system matrix plant origin there result results final"
+    " solution ergebnis endergebnis antwort lösung somit damit folgt".split()
 )  # fmt: skip
 NOUNS = {
     "eigenvalues": "eigenvalue eigenvalues eigenwert eigenwerte pair poles",
@@ -96,8 +115,9 @@ def without_words(text: str, name: str, *, count: bool = False) -> str:
     nouns = frozenset(NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], "")).split()) | {name.lower()}
     text = _SPACES.sub(" ", text).strip()
     remarked = text if name.endswith("_modes") else _LOST.sub("", text)
+    remarked = _REFUSED.sub("", _INFINITE.sub(r"\1", _SINCE.sub("", remarked)))
     bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", remarked)), nouns)
-    bare = _PAIR.sub("", bare)
+    bare = _ASYMPTOTE.sub("", _PAIR.sub("", bare))
     if found := _MANY.match(bare):
         bare = _introduced(f"{found[1]}{found[2]} (double)", nouns)
     bare = _DOUBLE.sub(r" (\1)", bare)
@@ -127,10 +147,16 @@ def with_true_signs(text: str) -> str:
 
 
 def sides_of(text: str) -> list[str]:
-    """Return the sides of K = [k1 k2] = [18 6], or of (s+4)(s+5) = s^2 + 9s + 20; none where it is no such chain."""
+    """Return the sides of K = [k1 k2] = [18 6], or of (s+4)(s+5) = s^2 + 9s + 20; none where it is no such chain.
+
+    The last side may be a list, where two values stand before it: -3 ± √3 = -1.27, -4.73.
+    """
     pieces = split(_POSITIVE.sub("", text), _SIDES)
     sides = [each.strip() for each in pieces]
-    bare = all(sides) and not any(_DENIED.search(_outside_brackets(each)) for each in sides)
+    *first, last = sides or [""]
+    bare = all(sides) and not any(_DENIED.search(_outside_brackets(each)) for each in first)
+    listed = bool(first) and _TWO.search(first[-1]) is not None and _NUMBERS.fullmatch(last) is not None
+    bare = bare and (listed or not _DENIED.search(_outside_brackets(last)))
     return sides if bare and 1 < len(sides) <= MOST_SIDES else []
 
 

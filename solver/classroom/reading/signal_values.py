@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.input_names import told_by_input
 from solver.classroom.reading.signals import Operators
 from solver.classroom.submitted import Submitted
 from solver.derivation.answer_names import SignalNames
@@ -34,7 +35,7 @@ class SignalReader:
         """Return the value of a text, with its other readings; raises Fault."""
         if len(node.text) > MAX_CHARACTERS:
             return self.reader.read_as_expected(node, ours, self.expected)
-        text = self.operators.without(node.text)
+        text = self.operators.without(told_by_input(node.text, self.operators.names))
         outside = self.reader.names
         names = {name: sp.Symbol(name, real=True) for name in self.operators.found}
         self.reader.names = replace(outside, symbols={**outside.symbols, **names})

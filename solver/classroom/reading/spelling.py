@@ -25,7 +25,7 @@ _QUOTIENT = re.compile(
 _ROOT = re.compile(r"(?<=\w)√\(")
 """A root behind a name, a√(2), which is none of a longer name."""
 
-_INFINITY = re.compile(r"\b(?:oo|infinity|infinite|Infinity|Inf|unendlich)\b|∞")
+_INFINITY = re.compile(r"\b(?:oo|infinity|infinite|Infinity|Inf|unendlich(?: groß)?)\b|∞")
 
 
 def respelled(text: str) -> str:

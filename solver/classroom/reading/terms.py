@@ -16,7 +16,7 @@ ABBREVIATIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
         (r"(?i)\bneg(?:ativ)?\.\s*", "negative "),
         (r"(?i)\b(semi)?-?def\.(?=\s|$)", lambda found: f"{(found[1] or '').lower()}definite"),
         (r"(?i)\b(semi)-(?=definit)", r"\1"),
-        (r"(?i)\b(un|over|under)-(?=\w)", r"\1"),
+        (r"(?i)\b(un|over|under)(?:-(?=\w)| (?=damped))", r"\1"),
         (r"(?i)\s*\(?\b(?:spiral(?:l)?ing )?(?:inwards?|einwärts)\b\)?", " stable"),
         (r"(?i)\s*\(?\b(?:spiral(?:l)?ing )?(?:outwards?|auswärts)\b\)?", " unstable"),
         (r"(?i)[,(]?\s*\b(?:i\.? ?s\.? ?l\b\.?|in the sense of (?:lyapunov|ljapunov|liapunov))\)?", ""),
@@ -62,8 +62,9 @@ PHRASES = {
     **dict.fromkeys(("line of fixed points", "line of equilibrium points"), "line of equilibria"),
     **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
     "unstable saddle": "saddle",
+    **dict.fromkeys(("no damped", "without damped", "not damped", "keine dämpfung", "ohne dämpfung"), "undamped"),
     **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
-    **dict.fromkeys(("unterkritisch damped", "unterkritisch", "periodisch damped"), "underdamped"),
+    **dict.fromkeys(("unterkritisch damped", "unterkritisch", "periodisch damped", "schwingfähig"), "underdamped"),
     **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall"), "overdamped"),
     **dict.fromkeys(("überkritisch damped", "überkritisch", "aperiodisch damped"), "overdamped"),
     **dict.fromkeys(("aperiodischer grenzfall", "aperiodic limit", "limit of aperiodicity"), "critically damped"),
@@ -78,8 +79,17 @@ ADJECTIVES = {
     "detectable": ("detektierbar", "entdeckbar"),
     "diagonalizable": ("diagonalisierbar",),
     "feasible": ("possible", "möglich", "machbar", "erfüllbar", "decouplable", "can be decoupled", "entkoppelbar"),
-    "stable": ("asymptotically stable", "stabil", "asymptotisch stabil"),
-    "bibo stable": ("stable", "stabil", "bibo stabil"),
+    "stable": (
+        "asymptotically stable",
+        "stabil",
+        "asymptotisch stabil",
+        "asympt stable",
+        "asympt stabil",
+        "as stable",
+        "exponentially stable",
+        "exponentiell stabil",
+    ),
+    "bibo stable": ("stable", "stabil", "bibo stabil", "bibo"),
 }
 """Other words for what an answer is called that is yes or no."""
 NEGATIONS = ("not ", "nicht ", "non ", "un", "in", "im", "non", "nicht")
@@ -88,7 +98,10 @@ LABELS = {
     "controllability_matrix": ("P", "Q", "M", "U", "S"), "observability_matrix": ("Q", "M", "N", "O"),
     "closed_loop_A": ("A - b k^T", "A - bk", "A - B k^T"), "error_A": ("A - l c^T", "A - lc"),
     "k_I": ("K_i", "K_I", "k_i"), "critical_value": ("K", "k"), "S": ("S_K^T", "S^T"),
-    "natural_frequency": ("omega", "ω", "w"), "gain_margin": ("GM", "A_R", "k_R"), "phase_margin": ("PM", "Phi", "Φ"),
+    "natural_frequency": ("omega", "ω", "w"), "phase_margin": ("PM", "Phi", "Φ"),
+    "gain_margin": ("GM", "A_R", "k_R", "g_m", "G_m", "K_g"),
+    "gain_margin_db": ("GM", "A_R", "k_R", "g_m", "G_m", "K_g"),
+    "system_type": ("N", "n", "ν", "nu", "l"),
 }  # fmt: skip
 """What an answer is called too, by its name or its symbol, where this is what another one is called elsewhere."""
 NOUNS = {"nullstellen": "zeros", "nullstelle": "zeros", "zero": "zeros", "pole": "poles", "polstellen": "poles",

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 SPELLINGS = {
     "rad/s": ("rad/s", "rad/sec", "rad s^-1", "rad s⁻¹", "rad*s^-1", "1/s", "s^-1", "s⁻¹", "rads^-1"),
     "1/s": ("1/s", "s^-1", "s⁻¹", "1/sec", "sec^-1"),
+    "1/s^2": ("1/s^2", "1/s²", "s^-2", "s⁻²", "1/sec^2", "sec^-2"),
     "s": ("s", "sec", "secs", "second", "seconds", "sek", "Sekunden"),
     "°": ("°", "deg", "degree", "degrees", "Grad", "grad"),
     "dB": ("dB", "db", "decibel", "decibels"),
@@ -16,6 +17,8 @@ SPELLINGS = {
         "dB/decade",
         "dB/Dekade",
         "dB/Dek",
+        "dB/dek",
+        "db/dek",
         "dB per decade",
         "dB pro Dekade",
         "db/dec",
@@ -32,9 +35,15 @@ CONVERTED = {
     "ratio": dict.fromkeys(SPELLINGS["dB"], "dB"),
 }
 """What stands behind a number instead of another unit of its kind; a power of ten, where it has digits alone; or dB."""
+_PER_SECONDS = {
+    unit: re.compile(rf"(?<=[\d)\]π])(?<!\s1)\s*/\s*s(?:ec)?{power}\s*\.?$")
+    for unit, power in (("1/s", ""), ("rad/s", ""), ("1/s^2", r"(?:²|\^2)"))
+}
+"""5/s is 5 1/s."""
 _DIGITS = re.compile(r"[-+]?\d+\.?\d*")
 _WHOLE = re.compile(r"[-+]?\d{1,3}")
-_UNIT = re.compile(r"^(.*(?:[\d)\].π]|\bpi))\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹\s-]*|1/s)\s*\.?$", re.DOTALL)
+_OF_PI = re.compile(r"[-+−]?\s*[\d./]*\s*[*·]?\s*(?:π|pi)\s*(?:[/*·]\s*[\d.]+)?")
+_UNIT = re.compile(r"^(.*(?:[\d)\].π∞]|\bpi))\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹²\s-]*|1/s(?:²|\^2)?)\s*\.?$", re.DOTALL)
 _LIST = re.compile(r"^\s*[\[({]([^\[\](){}]*,[^\[\](){}]*)[\])}]\s*([A-Za-zµ°1][A-Za-z0-9/*^⁻¹\s-]*|°)\s*$")
 _BRACKETS = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s|Hz|dB|V|ms|min)\s*\]\s*$")
 _BRACED = re.compile(r"(?<=[\d\s/])(s|sec|rad[ */]?s)\s*\^\s*[{(]\s*([-−]1)\s*[)}](?=\s*$)")
@@ -52,6 +61,8 @@ class ForeignUnitError(Exception):
 def without_unit(text: str, unit: str) -> str:
     """Return a number without the unit of its answer ("": it has none). Raises ForeignUnitError."""
     text = _BRACED.sub(r"\1^\2", _BRACKETS.sub(r" \1", text))
+    if unit in _PER_SECONDS:
+        text = _PER_SECONDS[unit].sub("", text)
     found = None if "∠" in text or _ARGUMENT.search(text) else _UNIT.match(text)  # the angle of 2∠30°, cos 30°
     if found is None:
         return text
@@ -59,6 +70,8 @@ def without_unit(text: str, unit: str) -> str:
     if unit == "°" and written in SPELLINGS[unit] and not _LETTERS.search(number):
         number = _DEGREES.sub("", number)  # 180° - 154.6°
     if written in SPELLINGS.get(unit, ()) and unit:
+        if unit == "°" and _OF_PI.fullmatch(number):
+            raise ForeignUnitError(f"a multiple of π is in radians, and {written} stands behind it")
         return number
     if factor := CONVERTED.get(unit, {}).get(written):
         return f"{number}{factor}" if _DIGITS.fullmatch(number) and factor != "dB" else _times(number, factor)

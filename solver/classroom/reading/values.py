@@ -172,7 +172,8 @@ class Reader:
 
     def _is_formula(self, text: str, ours: Any) -> bool:
         """Whether a text says how a number is found from other quantities: exp(-πζ/√(1-ζ²)), 1/K_v."""
-        number = isinstance(ours, sp.Expr) and getattr(ours, "shape", (1, 1)) == (1, 1) and not symbols_of(ours)
+        kind = sp.Expr | list if "±" in text else sp.Expr
+        number = isinstance(ours, kind) and getattr(ours, "shape", (1, 1)) == (1, 1) and not symbols_of(ours)
         return number and self.expected.labels.is_of_others(text)
 
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:

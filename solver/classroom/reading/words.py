@@ -57,18 +57,39 @@ _WHOLLY = {
 }
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
 _YES = re.compile(r"^\s*(?:yes|ja)\s*[,:;–—-]\s*(?:it is |the system is |es ist )?(?=\w)", re.IGNORECASE)
+_BESIDE = re.compile(r"(?<=\w)\s*[✓✔!]+\s*$|\s*\(?\b(?:over|über)\s+(?:ℂ|C|the complex numbers)\)?\s*\.?$")
 _CRITERION = re.compile(r"\s*(?:det|rank|rang)\b[^,;]*[=<≠][^,;]*[,;]\s*(\S.*)$", re.IGNORECASE | re.DOTALL)
 """det = 0, not controllable: what is concluded stands behind."""
 _ANSWERS = {"yes", "no", "ja", "nein", "true", "false", "wahr", "falsch", "oui", "non"}
 _FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
 
+_NONE_SINCE = re.compile(
+    r"((?:there (?:is|are) )?(?:none|no(?: \w+){1,3}|keine))\s*"
+    r"(?:[,;:]\s*(?=[A-Za-z]{2})|\(|[–—]|\s-\s|\s(?=since|because|as|da|weil))(.+?)\)?\s*\.?",
+    re.IGNORECASE,
+)
+"""None, and why."""
+_IMAGINARY = ("imaginary", "jω", "jw", "imaginäre")
+_REAL = ("real", "reelle")
+_CROSSES_NOT = re.compile(
+    r"(?:(?:it|the (?:root )?locus|the curve|the plot|root locus|sie|es|die (?:wurzelortskurve|ortskurve))\s+)?"
+    r"(?:(?:never|does not|doesn't|doesn’t) (?:cross|meet|intersect|reach)(?:es)? the (\w+)[- ]?axis"
+    r"|(?:schneidet|kreuzt|erreicht) die (\w+)[- ]?achse (?:nie|nicht|niemals))\s*\.?",
+    re.IGNORECASE,
+)
+_MISSING = re.compile(
+    r"\s*(?:(?:it )?does(?: not|n't|n’t) exist|there is none|existiert nicht|gibt es nicht|n/a|[-–—]"
+    r"|(?:the )?(?:phase )?(?:never|does(?: not|n't|n’t)) (?:reach|cross)(?:es)? [-−]180\s?°?"
+    r"|(?:die )?phase (?:erreicht|schneidet) [-−]180\s?° (?:nie|nicht))\s*\.?",
+    re.IGNORECASE,
+)
 _SPACE = re.compile(r"(?:ℝ|\\mathbb\{?\s*R\s*\}?|R)\s*\^\s*\{?([1-9])\}?")
 _MIXED = re.compile(r"([+-]?)\s*(\d{1,9})\s+(\d{1,9}/\d{1,9})")
 
 
 def truth(text: str, name: str = "") -> bool | None:
     """Return what a text says of whether something has a property, yes or "not controllable"; None if nothing."""
-    text = _SUBJECT.sub("", " ".join(text.split()), count=1).replace("isable", "izable")
+    text = _BESIDE.sub("", _SUBJECT.sub("", " ".join(text.split()), count=1).replace("isable", "izable"))
     said = [word for word in _words(text) if word not in _WHOLLY]
     words = " ".join(said)
     if words in YES | NO or (said and _REASONED.match(text.strip()) and said[0] in YES | NO):
@@ -133,24 +154,24 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
 
 
 def is_none(text: str, name: str = "") -> bool:
-    """Whether a text says that there is nothing: none, no zeros, keine Nullstellen."""
+    """Whether a text says that there is nothing: none, no zeros, keine Nullstellen, none (stable for all K > 0)."""
+    if found := _NONE_SINCE.fullmatch(text):
+        text = found[1] if not _DENIED & set(_words(found[2])) - {"no", "not", "nicht"} else text
     if text.strip().lower() in NONE:
         return True
+    if name.endswith("_crossings") and (found := _CROSSES_NOT.fullmatch(text.strip())):
+        return (found[1] or found[2]).lower() in (_IMAGINARY if name.startswith("imaginary") else _REAL)
     said = [word for word in _words(text) if word not in _WHOLLY | {"there", "are", "gibt", "has", "hat"}]
     if not said or said[0] not in ("no", "none", "keine"):
         return False
     own = set(name.split("_"))
     *adjectives, noun = said[1:] or [name]
-    return set(adjectives) <= own | _FINITE and NOUNS.get(noun, noun) in own | {name}
+    return set(adjectives) <= own | _FINITE and bool({NOUNS.get(noun, noun), f"{noun}s"} & (own | {name}))
 
 
 def is_missing(text: str) -> bool:
-    """Whether a text says that there is no such value: does not exist, –."""
-    return bool(
-        re.fullmatch(
-            r"\s*(?:(?:it )?does(?: not|n't|n’t) exist|existiert nicht|gibt es nicht|n/a|[-–—])\s*\.?", text, re.I
-        )
-    )
+    """Whether a text says that there is no such value: does not exist, –, never reaches −180°."""
+    return _MISSING.fullmatch(text) is not None
 
 
 def in_words(text: str) -> str:

@@ -93,6 +93,7 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
             "K_a",
             "lim s² L(s), lim (z − 1)² L(z)/T²",
             optional=True,
+            unit="1/s^2",
             infinite=True,
             earned=("constants",),
         ),
