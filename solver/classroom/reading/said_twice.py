@@ -15,7 +15,7 @@ MOST_SIDES = 4
 _EQUAL = re.compile(r"\s*(?:[≈≅≙≃≐]|(?<![<>=!:])=(?![=>]))\s*")
 _OR = re.compile(r"^([-+−\d./]+)\s+(?:or|oder|bzw\.?)\s+([-+−]?[\d.]+\s*(?:dB|°|%|deg|rad))\s*\.?$")
 _AGAIN = re.compile(
-    r"^(.*[\w)°%])\s*\(\s*(?:(?:[≈≅~=]|approx\.?|ca\.?|about|i\.e\.|d\.h\.)\s*([-+−\d.][^()=]*)|"
+    r"^(.*[\w)°%])\s*\(\s*(?:(?:[≈≅≙~=]|approx\.?|ca\.?|about|i\.e\.|d\.h\.)\s*([-+−\d.][^()=]*)|"
     r"([-+−]?[\d.]+\s*(?:dB|°|%|rad/s|rad|deg|Hz|ms|s)))\s*\)\s*\.?$"
 )
 PLACES = (sp.Rational(13, 11), sp.Rational(29, 17), sp.Rational(7, 19))

@@ -34,7 +34,7 @@ _REMARKS = (
     " constant konstant konstante underdamped overdamped undamped critically damped damping nonminimum non-minimum"
     " minimum phase first second third fourth state slow fast dominant oscillating oscillation oscillatory"
     " decaying distinct simple stabilizing stabilising stabilisierend stabilisierende integrator marginal exact"
-    " critical lag lead zero zeros asymptote asymptotes one two three corner"
+    " critical vertical upper lower horizontal lag lead zero zeros asymptote asymptotes one two three corner"
     " golden ratio vector left right half plane halfplane half-plane lhp rhp open linke rechte halbebene"
 )
 """Words of which remarks in brackets are made that deny nothing."""

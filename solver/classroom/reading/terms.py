@@ -61,7 +61,7 @@ PHRASES = {
     "not stable": "unstable",
     **dict.fromkeys(("line of fixed points", "line of equilibrium points"), "line of equilibria"),
     **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
-    "unstable saddle": "saddle",
+    **dict.fromkeys(("unstable saddle", "hyperbolic saddle"), "saddle"),
     **dict.fromkeys(("no damped", "without damped", "not damped", "keine dämpfung", "ohne dämpfung"), "undamped"),
     **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
     **dict.fromkeys(("unterkritisch damped", "unterkritisch", "periodisch damped", "schwingfähig"), "underdamped"),
@@ -92,7 +92,7 @@ ADJECTIVES = {
     "bibo stable": ("stable", "stabil", "bibo stabil", "bibo"),
 }
 """Other words for what an answer is called that is yes or no."""
-NEGATIONS = ("not ", "nicht ", "non ", "un", "in", "im", "non", "nicht")
+NEGATIONS = ("not ", "nicht ", "non ", "non-", "un", "in", "im", "non", "nicht")
 LABELS = {
     "A_{d}": ("Phi", "Φ"), "B_{d}": ("Gamma", "Γ", "H"), "damping_ratio": ("D", "d", "xi", "ξ"),
     "controllability_matrix": ("P", "Q", "M", "U", "S"), "observability_matrix": ("Q", "M", "N", "O"),

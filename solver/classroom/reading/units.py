@@ -6,7 +6,20 @@ import re
 from collections.abc import Sequence
 
 SPELLINGS = {
-    "rad/s": ("rad/s", "rad/sec", "rad s^-1", "rad s⁻¹", "rad*s^-1", "1/s", "s^-1", "s⁻¹", "rads^-1"),
+    "rad/s": (
+        "rad/s",
+        "rad/sec",
+        "rad per second",
+        "rad·s⁻¹",
+        "rad·s^-1",
+        "rad s^-1",
+        "rad s⁻¹",
+        "rad*s^-1",
+        "1/s",
+        "s^-1",
+        "s⁻¹",
+        "rads^-1",
+    ),
     "1/s": ("1/s", "s^-1", "s⁻¹", "1/sec", "sec^-1"),
     "1/s^2": ("1/s^2", "1/s²", "s^-2", "s⁻²", "1/sec^2", "sec^-2"),
     "s": ("s", "sec", "secs", "second", "seconds", "sek", "Sekunden"),
@@ -43,7 +56,7 @@ _PER_SECONDS = {
 _DIGITS = re.compile(r"[-+]?\d+\.?\d*")
 _WHOLE = re.compile(r"[-+]?\d{1,3}")
 _OF_PI = re.compile(r"[-+−]?\s*[\d./]*\s*[*·]?\s*(?:π|pi)\s*(?:[/*·]\s*[\d.]+)?")
-_UNIT = re.compile(r"^(.*(?:[\d)\].π∞]|\bpi))\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹²\s-]*|1/s(?:²|\^2)?)\s*\.?$", re.DOTALL)
+_UNIT = re.compile(r"^(.*(?:[\d)\].π∞]|\bpi))\s*([A-Za-zµ°][A-Za-z0-9/*·^⁻¹²\s-]*|1/s(?:²|\^2)?)\s*\.?$", re.DOTALL)
 _LIST = re.compile(r"^\s*[\[({]([^\[\](){}]*,[^\[\](){}]*)[\])}]\s*([A-Za-zµ°1][A-Za-z0-9/*^⁻¹\s-]*|°)\s*$")
 _BRACKETS = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s|Hz|dB|V|ms|min)\s*\]\s*$")
 _BRACED = re.compile(r"(?<=[\d\s/])(s|sec|rad[ */]?s)\s*\^\s*[{(]\s*([-−]1)\s*[)}](?=\s*$)")

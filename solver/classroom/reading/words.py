@@ -21,8 +21,9 @@ NO = {"f", "no", "false", "never", "n", "nein", "non", "falsch", "not", "✗"}
 ALL = ("reals", "all", "any", "every", "always", "all reals")
 NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector", "the zero vector", "zero vector",
         "nullvektor", "the trivial space", "trivial space", "keine", "empty set", "the empty set",
-        "leere menge", "aucun", "aucune")  # fmt: skip
-_REASONED = re.compile(r"\w+\s*[,;:.!(–—-]")
+        "leere menge", "∅", "no segments", "no segments on the real axis", "aucun", "aucune")  # fmt: skip
+_REASONED = re.compile(r"\w+\s*(?:[,;:.!(–—]|-(?!\w))")
+_DEFECTIVE = re.compile(r"(.*diag.+?)\s*[,;(]\s*(?:(?:not|nicht) )?(?:defective|defekt)\s*\)?\s*\.?", re.IGNORECASE)
 _REASON = re.compile(r"\s*[,;:(–—]|\s+(?:since|because|as|da|weil|denn)\s")
 _HENCE = re.compile(
     r"(.+?)(?:\s*[,;.:]|\s)\s*(?:so|hence|therefore|thus|also|daher|folglich|⇒|⟹|→|[=-]>)\s*(?:it is |is )?(.+)"
@@ -98,7 +99,9 @@ def truth(text: str, name: str = "") -> bool | None:
         return None if denied else yes
     own = name.replace("_", " ").lower()
     if own == "diagonalizable" and words.endswith(("defective", "defekt")):
-        return bool({"not", "nicht"} & set(said))
+        denied = bool({"not", "nicht"} & set(said[-2:]))
+        claimed = truth(found[1], name) if (found := _DEFECTIVE.fullmatch(text)) else denied
+        return denied if claimed is denied else None
     adjectives = (own, *ADJECTIVES.get(own, ())) if own else ()
     if words in adjectives:
         return True
