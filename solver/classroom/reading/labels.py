@@ -186,12 +186,10 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     found = [match if match and _is_label(match[1]) else None for match in matches]
     if not any(found):
         return items, len(items) > len(written)
-    values = _without_own_names(
-        [
-            (match[1].strip(), match[2].strip()) if match else ("", item)
-            for match, item in zip(found, items, strict=True)
-        ]
-    )
+    named = [
+        (each[1].strip(), each[2].strip()) if each else ("", item) for each, item in zip(found, items, strict=True)
+    ]
+    values = _without_own_names(named)
     indices = [_INDEX.search(match[1]) if match else None for match in found]
     numbers = [int(index[1]) for index in indices if index]
     if len(numbers) == len(items) == len(set(numbers)):

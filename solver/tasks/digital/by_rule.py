@@ -124,13 +124,16 @@ def _multiplied(
     N: Expr, D: Expr, s: Symbol, z: Symbol, rule: exact.Rule, found: exact.MappedQuotient, degree: int
 ) -> Derivation[None]:
     claims = {}
-    for name, p, value in (("above", N, found.above), ("below", D, found.below)):
+    for name, p, value, of_which in (
+        ("above", N, found.above, "the numerator"),
+        ("below", D, found.below, "the denominator"),
+    ):
         terms = [
             product(*(each for each in (c * rule.h ** (degree - i), rule.above(z) ** i, rule.below(z) ** (degree - i))
                       if each != 1))
             for (i,), c in sp.Poly(p, s).terms()
         ]  # fmt: skip
-        claims[name] = Claim(total(*terms), value, f"the {'numerator' if name == 'above' else 'denominator'}")
+        claims[name] = Claim(total(*terms), value, of_which)
     yield Step("cleared", detail="tutor", claims=claims, by=product(rule.h, rule.below(z)), degree=degree)
 
 

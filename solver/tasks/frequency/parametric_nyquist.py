@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Answers, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.numeric.judges.stability import is_admissible
+from solver.numeric.judges import stability as regions
 from solver.tasks.frequency.figures import nyquist_figures
 from solver.tasks.frequency.parametric_crossovers import loop_factors, real_axis_with_letters
 
@@ -78,7 +78,7 @@ def _simple_values(loop: OpenLoop) -> Iterator[dict[Any, Any]]:
     letters = sorted(set(loop.parameters) - {loop.variable}, key=str)
     for values in islice(product(SIMPLE, repeat=len(letters)), MOST_TRIED):
         at = dict(zip(letters, map(sp.Integer, values), strict=True))
-        if is_admissible(at) and not exact.encirclements(
+        if regions.is_admissible(at) and not exact.encirclements(
             loop.numerator.xreplace(at), loop.denominator.xreplace(at), loop.variable).through:  # fmt: skip
             yield at
 
