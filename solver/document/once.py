@@ -5,7 +5,6 @@ Works are complete, and JSON shows them so. Pages show what `told_once` makes of
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby, takewhile
@@ -13,6 +12,7 @@ from operator import itemgetter
 
 from solver.document.checks import Say, check_rows
 from solver.document.model import CheckRow, Reference, Work, WorkAnswer, WorkStep
+from solver.document.paragraphs import OPERATION, explains, leads_in, remarks
 from solver.document.results import (
     RESULT,
     at_the_end,
@@ -30,21 +30,8 @@ from solver.words import Phrase
 LEAST_SAVED = 60
 """Characters that a reference must save."""
 
-LEAST_EXPLAINED = 60
-"""Characters of an explanation that is not told again."""
-
-LEAST_CONCLUDED = 150
-"""Characters of what is said at the end of a step from which on it remarks more than it concludes."""
-
-LEAST_LEADING = 40
-"""Characters of an introduction under a title that is not told again."""
-
 LEAST_REPEATED = 30
 """Characters of a result that is left to the next step where that one begins with it."""
-
-_OPERATION = re.compile(r"\\left(right)?arrow ")
-_NO_PARAGRAPH = re.compile(r"\s|[-*+>|#]\s|\d+[.)]\s|\|")
-"""How lists, tables, quotations and headings begin."""
 
 
 def told_once(parts: Sequence[Work], say: Say, problem: str = "") -> tuple[Work, ...]:
@@ -239,9 +226,9 @@ class _Page:
                 (found, False) if there is None else self._abridged(found, place, there, again=there in told)
             )
             told += [there] if there is not None and referred else []
-            headed = not shown and len(found) == 1 and _leads_in(found[0])  # then the title of the step leads in
+            headed = not shown and len(found) == 1 and leads_in(found[0])  # then the title of the step leads in
             shown += [] if there is not None and left == found and headed else left
-        shown += [block for block in blocks[last + 1 :] if not (_remarks(block) and (step.kind, block) in self.blocks)]
+        shown += [block for block in blocks[last + 1 :] if not (remarks(block) and (step.kind, block) in self.blocks)]
         for block in blocks:
             self.blocks.setdefault((step.kind, block), place)
         return "\n\n".join(shown)
@@ -252,8 +239,8 @@ class _Page:
         A step does not refer to itself, and what was done to other rows is done to these again. What was referred to
         in this step is not named `again`.
         """
-        unexplained = [block for block in blocks if not _explains(block)]
-        if not unexplained or place == above or any(_OPERATION.search(block) for block in blocks):
+        unexplained = [block for block in blocks if not explains(block)]
+        if not unexplained or place == above or any(OPERATION.search(block) for block in blocks):
             return (blocks if unexplained else []), False
         goes_on = to_go_on_with(at_the_end(blocks) if RESULT.fullmatch(blocks[-1]) else [])
         there = self._reference(place.part, above.part, [above.number])
@@ -268,24 +255,6 @@ class _Page:
 def _known_as(part: Work, answer: WorkAnswer) -> tuple[str, str, str]:
     """Return by what an answer about a system is known on a page: what is given, what it means and what it is."""
     return part.given, answer.doc, answer.equation
-
-
-def _explains(block: str) -> bool:
-    """Whether a block of Markdown is a paragraph without a display that is complete in itself."""
-    return (
-        len(block) >= LEAST_EXPLAINED and block.endswith(".") and "$$" not in block and not _NO_PARAGRAPH.match(block)
-    )
-
-
-def _remarks(block: str) -> bool:
-    """Whether a block of Markdown explains at such length that it is no conclusion."""
-    return len(block) >= LEAST_CONCLUDED and _explains(block)
-
-
-def _leads_in(block: str) -> bool:
-    """Whether a block of Markdown is a sentence of some length before a display, which does not say what is done."""
-    spoken = "$$" not in block and not _NO_PARAGRAPH.match(block) and not _OPERATION.search(block)
-    return spoken and len(block) >= LEAST_LEADING
 
 
 def _key(step: WorkStep) -> str:

@@ -241,25 +241,25 @@ def _answers(
     *,
     data: bool,
 ) -> Iterator[WorkAnswer]:
-    declared = catalogue()[result.task].answers
-    marks = marks_shown(part, catalogue()[result.task], result.answers)
-    asked = asked_of(part, catalogue()[result.task])
+    task = catalogue()[result.task]
+    marks, asked = marks_shown(part, task, result.answers), asked_of(part, task)
     for name, value in answers.items():
-        symbol = wording.symbol(declared[name])
+        declared = task.answers[name]
+        symbol = wording.symbol(declared)
         yield WorkAnswer(
             name,
             symbol,
             wording.answer(value),
-            wording.say(declared[name].doc),
+            wording.say(declared.doc),
             as_written(value) if data else "",
-            wording.equation(symbol, value, zero=declared[name].zero),
-            wording.equation(symbol, value, narrow=True, zero=declared[name].zero),
+            wording.equation(symbol, value, zero=declared.zero),
+            wording.equation(symbol, value, narrow=True, zero=declared.zero),
             marks=_marks(marks[name]) if name in marks else "",
             numeric=numbers_of(value) if data else None,
             asked=name in asked,
             given=name not in part.asked and name in part.options and bool(part.options[name] == value),
             derived=derived.get(name, ""),
-            told=declared[name].told,
+            told=declared.told,
         )
 
 
@@ -297,6 +297,3 @@ def _holds_decimals(value: Any) -> bool:
     if isinstance(value, list | tuple):
         return any(map(_holds_decimals, value))
     return bool(getattr(value, "atoms", lambda _: ())(sp.Float))
-
-
-__all__ = ["Writer", "document_of", "lost", "solve_as_told"]
