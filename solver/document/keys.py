@@ -50,7 +50,7 @@ def key_of(
             line = next((each for each in step.displayed if _ends_in(each, value)), None)
             if line is not None:
                 steps[i], formula = _without(step, line, wording)
-                derived |= {name: formula} if formula and len(line.sides) > 2 else {}
+                derived |= {name: formula} if formula.count("=") > 1 else {}
                 break
     return Key(tuple(_news(step for step in steps if _tells(step, values))), derived)
 
