@@ -58,7 +58,7 @@ def test_papers_keys_and_answer_files_are_written(solve, exam, tmp_path):
     assert r"EE \& 451" in tex
     assert r"\clearpage" in tex
     assert r"\boxed" not in tex
-    assert r"\boxed" in files["keys/key-2.tex"].decode()
+    assert r"\answerbox{" in files["keys/key-2.tex"].decode()
 
 
 def test_members_are_those_of_the_documented_generator(solve, exam, tmp_path):
