@@ -9,9 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.derivation import Answers, CheckStatus, Status
+from solver.displayed import judged
 from solver.engine import solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
+from solver.render.wording import Wording
 from solver.tasks import catalogue
 from tests.helpers.marked import verdict
 
@@ -90,6 +92,18 @@ def test_a_function_behind_a_step_is_written_in_the_time_since():
     moved = next(step for step in asked("t^2 step(t - 1)").steps if step.kind == "moved")
     tau = sp.Symbol("tau")
     assert moved.claims["f"].right == tau**2 + 2 * tau + 1
+
+
+def test_each_delay_has_its_own_time_since():
+    """τ is t − 1 in one step and t − 2 in another; what one page says of both holds in each."""
+    source = Source("file.yaml", text("(2 - t)(step(t - 1) - step(t - 2))"))
+    problem, wording = read_problem(source, catalogue()), Wording(detail="tutor")
+    result = solve_problem(problem).parts[0]
+    worded = [wording.word(step) for step in result.steps]
+    assert "".join(step.markdown for step in worded).count("what stands behind the step") == 2
+    said = judged(result, problem.parts[0], worded, wording)
+    assert said.status is Status.VERIFIED
+    assert {check.status for check in said.checks} == {CheckStatus.PASSED}
 
 
 def test_parameters_and_what_is_assumed():
