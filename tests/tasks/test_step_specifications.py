@@ -207,6 +207,11 @@ find:
   c:
     task: step_specifications
     system: {transfer_function: "25/(s^2 + 4s + 25)"}
+  d:
+    task: step_specifications
+    method: response
+    settling_band: 2%
+    system: {transfer_function: "9/(s^2 + 3s + 9)"}
 """
 
 
@@ -223,6 +228,8 @@ find:
         ("a", "settling_time", "1.333", ""),
         ("a", "settling_time", "1.000", ""),
         ("b", "settling_time", "0.857", "another band"),
+        ("d", "settling_time", "8/3", "formula of second order"),
+        ("d", "settling_time", "2", "another band"),
         ("a", "rise_time", "0.5536", ""),
         ("a", "rise_time", "0.3708", ""),
         ("b", "rise_time", "0.3708", " "),

@@ -9,12 +9,15 @@ from solver.derivation import Attempt, Slip
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.classical.paths import path_of, quietly
+from solver.tasks.classical.step_formulas import BANDS
 
 if TYPE_CHECKING:
     from solver.derivation import Task
 
 BAND = Slip("band", "the settling time is that of another band: $4/(\\sym{damping_ratio}\\,\\omega_n)$ belongs to 2 %, "
             "$3/(\\sym{damping_ratio}\\,\\omega_n)$ to 5 %")  # fmt: skip
+FORMULA = Slip("formula", "it is what the formula of second order estimates; the response itself enters the band for good "
+               "at another time")  # fmt: skip
 FREQUENCY = Slip(
     "frequency", "it is found with $\\omega_n$; the response oscillates with the damped frequency $\\omega_d$"
 )
@@ -47,7 +50,13 @@ def _with_formulas(task: Task[Any, Any]) -> None:
     def other_band(wrong: Attempt[Any, Any]) -> Iterable[Any]:
         found = _damping(wrong)
         if found is not None:
-            yield from (c / (found.twice / 2) for c in (3, 4, 5))
+            own = BANDS[wrong.given.options.settling_band]
+            yield from (c / (found.twice / 2) for c in (3, 4, 5) if c != own)
+
+    def estimated(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        found = _damping(wrong)
+        if found is not None:
+            yield BANDS[wrong.given.options.settling_band] / (found.twice / 2)
 
     def undamped(wrong: Attempt[Any, Any]) -> Iterable[Any]:
         found = _damping(wrong)
@@ -75,6 +84,7 @@ def _with_formulas(task: Task[Any, Any]) -> None:
             }[wrong.name]
 
     task.mistake(BAND, "settling_time")(other_band)
+    task.mistake(FORMULA, "settling_time")(estimated)
     task.mistake(FREQUENCY, "peak_time", "rise_time")(undamped)
     task.mistake(PERIOD, "peak_time")(whole_period)
     task.mistake(HALF, "overshoot", "peak_time", "rise_time", "settling_time")(wrong_ratio)

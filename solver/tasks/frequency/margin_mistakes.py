@@ -43,6 +43,7 @@ def register(task: Task[OpenLoop, LoopOptions]) -> None:
     task.mistake(NO_HALF_TURN, "phase_margin")(the_phase)
     task.mistake(HALF_TURN_LESS, "phase_margin")(the_phase_subtracted)
     task.mistake(TEN_LOG, "gain_margin_db")(half_the_decibels)
+    task.mistake(TEN_LOG, "gain_margin")(with_half_the_decibels)
     task.mistake(NATURAL_LOG, "gain_margin_db")(by_natural_logarithm)
     task.mistake(DECIBELS, "gain_margin")(in_decibels)
     task.mistake(RATIO, "gain_margin_db")(as_a_ratio)
@@ -85,6 +86,12 @@ def half_the_decibels(wrong: Wrong) -> Iterable[Any]:
     """10 log of the ratio."""
     if _finite(wrong):
         yield wrong.ours / 2
+
+
+def with_half_the_decibels(wrong: Wrong) -> Iterable[Any]:
+    """10 log of the ratio, and the ratio that it is read as where it is written with its dB."""
+    if _finite(wrong):
+        yield from (exact.in_decibels(wrong.ours) / 2, sp.sqrt(wrong.ours))
 
 
 def by_natural_logarithm(wrong: Wrong) -> Iterable[Any]:

@@ -68,9 +68,9 @@ def in_decibels(wrong: Wrong) -> Iterable[Any]:
 
 
 def half_the_decibels(wrong: Wrong) -> Iterable[Any]:
-    """10 log₁₀ |T|."""
+    """10 log₁₀ |T|, and the ratio that it is read as where it is written with its dB."""
     if wrong.ours.is_number:
-        yield exact.in_decibels(wrong.ours) / 2
+        yield from (exact.in_decibels(wrong.ours) / 2, sp.sqrt(wrong.ours))
 
 
 def half_a_turn_away(wrong: Wrong) -> Iterable[Any]:
