@@ -117,7 +117,7 @@ def test_the_data_say_who_needs_review_as_the_table_does(check):
             "1.yaml": answers("student: Anna"),
             "2.yaml": answers("student: Anna", WRONG),
             "3.yaml": answers("student: anna", WRONG),
-            "4.yaml": "student: [",
+            "4.yaml": "answers: [",
             "5.yaml": "student: Ben Ito\nanswers: {1: {a: {eigenvalues: }}}\n",
             "6.yaml": answers("student: Cleo", "bananas"),
         },

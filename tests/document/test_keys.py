@@ -21,8 +21,8 @@ CATALOGUE = catalogue()
 PAGE = 75
 """Lines of text on a page of a printed key."""
 
-READ_OFF = 3
-"""Steps of a part whose answer needs no working: it is given, or read off."""
+READ_OFF = 5
+"""Steps of a part whose answer needs no working: it is given, read off a table, or the one equation scaled."""
 
 
 def problem(find, system="{A: [[0, 1], [2, 3]], B: [0, 1], C: [1, 0]}"):

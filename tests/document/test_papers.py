@@ -39,6 +39,9 @@ def given_in(solved, wording):
     systems = [part.system for part in parts] + [solved.problem.system]
     values = [value for part in parts for value in part.options.values()]
     values += [getattr(system, name, None) for system in systems for name in ("A", "B", "C", "D", "matrix")]
+    values += [
+        sp.Mul(above, 1 / below) for above, below in filter(None, (getattr(each, "written", None) for each in systems))
+    ]
     return {wording.tex(value) for value in values if isinstance(value, sp.MatrixBase | sp.Expr)}
 
 

@@ -100,6 +100,10 @@ def _is_space(_: Any, expected: Expected) -> bool:
     return expected.name.endswith("_space")
 
 
+def _are_values(ours: Any, expected: Expected) -> bool:
+    return _is_list(ours, expected) and not _are_mappings(ours, expected)
+
+
 def _are_vectors(ours: Any, expected: Expected) -> bool:
     return _is_matrix(ours, expected) and bool(expected.vectors or expected.name.endswith("_space"))
 
@@ -214,6 +218,6 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
     (_is_of_z, (_text(remarks.without_sample_time),)),
     (_are_modes, (_modes,)),
     (_named("values"), (_text(_values_when_lost),)),
-    (_is_list, (_text(list_texts.joined_sets),)),
+    (_are_values, (_text(list_texts.joined_sets),)),
     (_any, (_text(_without_only), _text(closed), _text(with_true_signs), _text(concluded), _bare)),
 )

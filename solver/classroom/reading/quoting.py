@@ -27,6 +27,8 @@ _REMARK = re.compile(r"(.*?)( +#.*)?", re.DOTALL)
 _PROSE = re.compile(r"(?=.*[^\W\d_]{3,}\s+[^\W\d_]{2,})[^\d=:\[\](){}]*")
 _LEFT = re.compile(r"(?<=\s)(?=\S)|^(?=\S)")
 _QUOTES = "'\""
+_PLACES = ("answers", "problem", "exam")
+"""Keys of a file that are read as they are: what all answers hang on is not guessed."""
 PART = 3
 """Columns of keys that are open where the answers of a part stand: of `answers`, of the part, of the answer."""
 UNREADABLE = "… "
@@ -146,7 +148,7 @@ def _entry(lines: Sequence[str]) -> list[str]:
     if _stands("\n".join([first, *below])):
         return [first, *below]
     unclear = value.startswith("{") and value.count("{") > max(1, value.count("}"))  # which part the rest belongs to
-    if unclear or (found[2] == "answers" and not before):
+    if unclear or (found[2] in _PLACES and not before):
         return list(lines)
     if not any(map(str.strip, rest)) and (mapped := _mapping(value)):
         return [f"{head} {mapped}{remark}", *rest]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from solver.arithmetic.determinants import worked_out
-from solver.derivation import Claim, Step
+from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product
@@ -28,7 +28,13 @@ def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) ->
     return exact.definiteness(P) or "depends on the parameters"
 
 
-def definiteness_step(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
+@lemma("riccati_definiteness")
+def told_definite(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Derivation[None]:
+    """What each solution is, and why."""
+    yield _by_minors(solutions, words)
+
+
+def _by_minors(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
     """The leading minors of every solution, where none of the solutions is singular; else the eigenvalues of each."""
     minors: list[list[tuple[Expr, int]]] = []
     claims: dict[str, Claim] = {}

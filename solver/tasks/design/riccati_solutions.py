@@ -20,7 +20,7 @@ from solver.tasks.design.riccati_claims import (
     riccati_of,
     variable_of,
 )
-from solver.tasks.design.riccati_definiteness import definiteness_of, definiteness_step
+from solver.tasks.design.riccati_definiteness import definiteness_of, told_definite
 from solver.tasks.design.riccati_equations import entries_of, spectrum_step
 
 if TYPE_CHECKING:
@@ -112,7 +112,7 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
     if conditional:
         yield _conditional(problem, conditional, first=len(always) + 1)
     words = [definiteness_of(equation, each) for each in always]
-    yield definiteness_step(always, words)
+    yield from told_definite(always, words)
     yield _choice(problem, always, words)
     return equation, Listed(P, equations, [each.P for each in always], words)
 

@@ -76,8 +76,8 @@ def _at_phase_crossover(L: exact.ParametricAxis) -> Derivation[dict[str, Any]]:
 def _why(missing: Any) -> dict[str, Any]:
     """The reason that the algebra gave, as values of a step."""
     values = missing.reason.values if missing is not None else {}
-    kind = missing.reason.kind.split("/")[-1] if missing is not None else ""
-    return {"why": kind, "p": values.get("p"), "n": values.get("n"), "sign": values.get("what")}
+    why = missing.reason.kind.split("/")[-1] if missing is not None else ""
+    return {"why": why, "p": values.get("p"), "n": values.get("n"), "sign": values.get("what")}
 
 
 @lemma("parametric_crossovers")

@@ -158,6 +158,8 @@ stability_margins.meaning("condition")(where_it_is_wrong)
 def in_decibels(_given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
     """20 log₁₀ of the ratio."""
     value = found["gain_margin"]
+    if value.free_symbols:
+        return 20 * sp.log(value) / sp.log(10)
     return exact.in_decibels(value) if value.is_positive else None
 
 
@@ -165,7 +167,7 @@ def in_decibels(_given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) 
 def at_the_gain_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
     """180° + ∠L at the student's own frequency."""
     omega = found["gain_crossover"]
-    if not omega.is_positive or omega == sp.oo:
+    if not omega.is_positive or omega == sp.oo or has_letters(given.system):
         return None
     return exact.phase_margin_of(on_boundary(given.system).phase(omega))
 
@@ -174,6 +176,6 @@ def at_the_gain_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[st
 def at_the_phase_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
     """1/|L| at the student's own frequency."""
     omega = found["phase_crossover"]
-    if not omega.is_positive or omega == sp.oo:
+    if not omega.is_positive or omega == sp.oo or has_letters(given.system):
         return None
     return 1 / on_boundary(given.system).magnitude(omega)
