@@ -1,4 +1,4 @@
-"""Where the problem names no convention, an answer by another usual one is right, one convention for the whole part."""
+"""Where the problem names no convention, an answer by another usual one is right: one of each option."""
 
 import pytest
 
@@ -126,3 +126,26 @@ def test_a_cost_by_the_other_factor_follows_from_the_own_solution():
 def test_the_convention_is_told_in_german():
     german = part_of(plant("controllable", "language: de"), "open", FIRST["controllable"])
     assert german.answers["A"].note == "nach einer anderen üblichen Konvention, „convention: first_row“"
+
+
+STEP = """
+title: A step response
+system: {transfer_function: "9/(s^2 + 3s + 9)"}
+find:
+  open: {task: step_specifications, method: response}
+"""
+
+
+def test_two_options_have_each_their_convention():
+    """A band of 5 % and an overshoot in per cent: each is right, and each value says which convention is its own."""
+    found = part_of(STEP, "open", {"settling_time": "1.76", "overshoot": "16.3", "peak_time": "1.21"})
+    assert set(words(found).values()) == {"correct"}
+    assert "settling_band: 5%" in str(found.answers["settling_time"].note)
+    assert "overshoot_in: percent" in str(found.answers["overshoot"].note)
+    assert "convention" not in str(found.answers["peak_time"].note)
+
+
+def test_what_no_convention_makes_right_is_wrong():
+    """What is right by none stays wrong, whatever is right beside it."""
+    found = part_of(STEP, "open", {"settling_time": "9.9", "overshoot": "16.3"})
+    assert words(found) == {"settling_time": "wrong", "overshoot": "correct"}

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 BAND = Slip("band", "the settling time is that of another band: $4/(\\sym{damping_ratio}\\,\\omega_n)$ belongs to 2 %, "
             "$3/(\\sym{damping_ratio}\\,\\omega_n)$ to 5 %")  # fmt: skip
-FORMULA = Slip("formula", "it is what the formula of second order estimates; the response itself enters the band for "
-               "good at another time")  # fmt: skip
+FORMULA = Slip("formula", "it is what the formula of second order estimates; the response itself enters the band "
+               "for good at another time")  # fmt: skip
 FREQUENCY = Slip(
     "frequency", "it is found with $\\omega_n$; the response oscillates with the damped frequency $\\omega_d$"
 )
