@@ -248,7 +248,7 @@ def test_a_pole_asked_for_is_a_pole(a, sigma, omega):
     poles = (-sigma + omega * sp.I, -sigma - omega * sp.I)
     result = ask("lead_compensator", G, LOCUS, poles=poles)
     if result.status is not Status.VERIFIED:
-        assert any(word in str(result.reason) for word in ("No section", "turns the other way")), result.reason
+        assert any(word in str(result.reason) for word in ("No lead section", "turns the other way")), result.reason
         return
     numerator, denominator = sp.fraction(sp.together(result.answers["controller"] * G.matrix[0, 0]))
     roots = np.roots([float(c) for c in sp.Poly(numerator + denominator, s).all_coeffs()])
@@ -276,6 +276,19 @@ def test_both_sections_by_the_bode_diagram():
         assert CheckStatus.FAILED in judged("lead_lag_compensator", G, turned, **asked), name
 
 
+def test_both_sections_with_a_large_margin_have_a_lower_crossover():
+    """At −180° a lead section alone would have to turn by 91°; where the phase of the plant is less, it need not."""
+    G = plant(sp.Integer(1), s * (s + 1) * (s + 2) * (s + 3))
+    result = ask("lead_lag_compensator", G, velocity_constant=sp.Integer(50), phase_margin=sp.Integer(85))
+    assert result.status is Status.VERIFIED, result.reason
+    omega, margin = margin_of(result.answers["controller"], G)
+    assert omega < 1
+    assert margin >= 85
+    asked = {"velocity_constant": sp.Integer(50), "phase_margin": sp.Integer(85), "crossover": sp.Integer(1)}
+    refused = ask("lead_lag_compensator", G, **asked)
+    assert "less than $90" in str(refused.reason)
+
+
 def test_both_sections_by_the_root_locus():
     G = plant(sp.Integer(4), s * (s + r(1, 2)))
     asked = {"velocity_constant": sp.Integer(80), "poles": tuple(r(-5, 2) + k * r(433, 100) * sp.I for k in (1, -1))}
@@ -289,6 +302,7 @@ def test_both_sections_by_the_root_locus():
     [
         ("lead", TRIPLE, {"poles": (-1 + 3 * sp.I, -1 - 3 * sp.I)}, "less than the angle"),
         ("lead", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I)}, "lies on the root locus"),
+        ("lead_lag", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I), "velocity_constant": r(9)}, "a lag section"),
         ("lead", plant(sp.Integer(-1), s**3 + s), {"poles": (-2 + 3 * sp.I, -2 - 3 * sp.I)}, "is not stable"),
         ("lag", OGATA_LEAD, {"poles": (-3 + 2 * sp.I, -3 - 2 * sp.I), "velocity_constant": sp.Integer(5)}, "not near"),
         ("lag", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I), "velocity_constant": sp.Integer(1)}, "is needed"),

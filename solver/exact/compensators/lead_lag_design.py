@@ -50,11 +50,24 @@ class LeadLagDesign:
 
 
 def lead_lag_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, crossover: sp.Expr | None, extra: sp.Expr) -> LeadLagDesign:
-    """Return the attempts with more and more degrees added, until the margin wanted is there."""
+    """Return the attempts with more and more degrees added, until the margin wanted is there.
+
+    Where the lead would have to give too much at the crossover that is usually taken, a lower one is tried.
+    """
     before = compensated(G, K)
-    omega = crossover if crossover is not None else _chosen(G, wanted, extra)
-    if omega is None:
-        return LeadLagDesign(before, sp.Integer(0), sp.Integer(0), sp.Integer(0), (), "no_crossover")
+    places = [crossover] if crossover is not None else _usual(G, wanted, extra)
+    refused: list[LeadLagDesign] = []
+    for omega in places:
+        found = _at(G, K, wanted, omega, extra, before)
+        if found.why != "phase":
+            return found
+        refused.append(found)
+    nowhere = LeadLagDesign(before, sp.Integer(0), sp.Integer(0), sp.Integer(0), (), "no_crossover")
+    return refused[0] if refused else nowhere
+
+
+def _at(G: Plant, K: sp.Expr, wanted: sp.Expr, omega: sp.Expr, extra: sp.Expr, before: Compensated) -> LeadLagDesign:
+    """Return the attempts with the crossover ω."""
     angle, size = sp.N(G.axis.continuous_phase(omega), 30), sp.N(K * G.axis.magnitude(omega), 30)
     rounds: list[LeadLagRound] = []
     added = extra
@@ -73,13 +86,10 @@ def lead_lag_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, crossover: sp.Expr |
     return LeadLagDesign(before, omega, angle, size, tuple(rounds), "phase", phase)
 
 
-def _chosen(G: Plant, wanted: sp.Expr, extra: sp.Expr) -> sp.Expr | None:
-    """Where the phase of G is −180°, or where the lead has to give what it usually gives; to three digits."""
-    for degrees in (sp.Integer(-180), wanted + extra - 180 - USUAL_LEAD):
-        found = phase_crossings(G.axis, degrees)
-        if found:
-            return rounded(found[0], 3)
-    return None
+def _usual(G: Plant, wanted: sp.Expr, extra: sp.Expr) -> list[sp.Expr]:
+    """Where the phase of G is −180°, and where the lead has to give what it usually gives; to three digits."""
+    found = [phase_crossings(G.axis, degrees) for degrees in (sp.Integer(-180), wanted + extra - 180 - USUAL_LEAD)]
+    return [rounded(each[0], 3) for each in found if each]
 
 
 def _attempt(G: Plant, K: sp.Expr, omega: sp.Expr, phase: sp.Expr, extra: sp.Expr) -> LeadLagRound | None:
