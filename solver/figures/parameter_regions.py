@@ -93,11 +93,17 @@ def on_parameters(region: ParameterRegion) -> DrawnPlot:
     return DrawnPlot(region.caption, labels[0], labels[1], (*areas, *curves), (), equal=False, window=window)
 
 
+def _factors(region: ParameterRegion) -> tuple[sp.Expr, ...]:
+    """The irreducible factors of the conditions: curves with a part in common meet in its points everywhere."""
+    found = (factor for each in region.conditions for factor, _ in sp.factor_list(each, region.x, region.y)[1])
+    return tuple(dict.fromkeys(found))
+
+
 def corners_of(region: ParameterRegion) -> list[Point]:
     """Return the points in which two of the curves meet at the edge of the region."""
     column = _Column(region)
     found: list[Point] = []
-    for first, second in combinations(region.conditions, 2):
+    for first, second in combinations(_factors(region), 2):
         for x, y in _meetings(first, second, region):
             slack = [
                 float(numeric.evaluate(c, {region.x: complex(x), region.y: complex(y)}).real) for c in region.conditions
@@ -111,7 +117,7 @@ def corners_of(region: ParameterRegion) -> list[Point]:
 
 def _intercepts(region: ParameterRegion, column: _Column) -> Iterator[Point]:
     """Points of the axes at the edge of the region."""
-    for each in region.conditions:
+    for each in _factors(region):
         for along, other in ((region.x, region.y), (region.y, region.x)):
             p = each.xreplace({other: sp.S.Zero})
             for value in _real(sp.Poly(p, along)) if p.has(along) else ():

@@ -73,6 +73,16 @@ def test_the_region_of_two_parameters_has_its_corners_and_its_area():
     assert "Corners of the region: (3, 3)" in plot.alt
 
 
+def test_an_edge_of_a_factor_of_two_conditions_is_in_the_window():
+    """a b > 0 and (4 − b) a > 0 have a in common: 0 < b < 4, a > 0."""
+    region = ParameterRegion("", a, b, (a * b, 4 * a - a * b), ("ab = 0", "4a = ab"), ("a", "b"))
+    assert corners_of(region) == [pytest.approx((0.0, 0.0)), pytest.approx((0.0, 4.0))]
+    plot = drawing_of(region)
+    (area,) = (curve for curve in plot.curves if curve.style == "area")
+    assert (min(area.y), max(area.y)) == pytest.approx((0, 4), abs=1e-3)
+    assert plot.window[3] > 4
+
+
 def test_curved_edges_are_followed_through_the_window():
     region = ParameterRegion("", a, b, (4 - a**2 - b**2,), ("circle",), ("a", "b"))
     plot = drawing_of(region)
