@@ -114,6 +114,22 @@ def test_high_powers_are_exact_and_held_to_the_last_digit():
     assert "digits" in str(asked([[1, 2], [3, 4]], A**10_000).reason)
 
 
+@pytest.mark.parametrize(
+    ("rows", "exponent", "kinds"),
+    [
+        ([[0, 1], [-1, -2]], 100, {"conditions", "coefficients"}),
+        ([[0, 1], [-1, -2]], -100, {"conditions", "coefficients"}),
+        ([[2, 1], [0, 1]], 20, {"conditions", "coefficients"}),
+        ([[2, 1], [0, 1]], 100, {"remainder"}),
+        ([[1, 1], [1, 0]], 20, {"remainder"}),
+    ],
+)
+def test_a_high_power_goes_by_the_eigenvalues_where_its_values_there_are_short(rows, exponent, kinds):
+    result = asked(rows, A**exponent)
+    assert {step.kind for step in result.steps} & {"conditions", "coefficients", "remainder"} == kinds
+    assert result.answers["F"] == sp.Matrix(rows) ** exponent
+
+
 NAMED = sp.Matrix(3, 3, sp.symbols("a b c d g h p q r", real=True))
 
 

@@ -25,6 +25,9 @@ from solver.exact.linear_algebra.radicals import complex_parts
 from solver.exact.linear_algebra.spectrum import Factor, irreducible_factors, is_lower, spectrum
 from solver.matrices import entries
 
+MOST_DIGITS_SHOWN = 9
+"""Digits of a power of an eigenvalue that stands in a condition for the coefficients."""
+
 
 @dataclass(frozen=True)
 class FunctionOfMatrix:
@@ -76,15 +79,22 @@ def _minimal_interpolation(A: sp.ImmutableMatrix) -> tuple[FactorResidues, ...]:
 
 
 def asks_for_roots(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
-    """Whether f(A) needs the eigenvalues of A, or a low power of f has short values at them."""
+    """Whether f(A) needs the eigenvalues of A, or f, of a low power at least, has short values at them."""
     if f.rational is None:
         return True
     x = f.variable
-    if max(sp.degree(part, x) for part in f.rational) > LOW:
-        return False
-    if all(p.degree() == 1 for p, _ in irreducible_factors(A)):
+    degree = max(sp.degree(part, x) for part in f.rational)
+    linear = all(p.degree() == 1 for p, _ in irreducible_factors(A))
+    if degree > LOW:
+        return linear and all(_short_power(root.value, degree) for root in spectrum(A).roots)
+    if linear:
         return True
     return not A.free_symbols and all(root.kind != "decimal" for root in spectrum(A).roots)
+
+
+def _short_power(value: sp.Expr, degree: int) -> bool:
+    """Whether a power of an eigenvalue is a number that a page can show: of 0, 1 and −1 all are."""
+    return value.is_Rational and max(abs(value.p), value.q) ** degree < 10**MOST_DIGITS_SHOWN
 
 
 def _multiplicities_hold(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
