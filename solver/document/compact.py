@@ -109,7 +109,8 @@ def _in_lines(blocks: Iterable[str]) -> Iterator[str]:
     for listed, group in groupby(blocks, lambda block: block.startswith("- ") and "\n" not in block):
         items = list(group)
         if listed and max(map(len, items)) <= SHORT_ITEM:
-            yield "; ".join(item.removeprefix("- ").rstrip(";,") for item in items)
+            between = " " if all(item.endswith(".") for item in items) else "; "
+            yield between.join(item.removeprefix("- ").rstrip(";,") for item in items)
         else:
             yield from items
 

@@ -81,6 +81,11 @@ def test_short_items_of_a_list_stand_in_a_line():
     assert [step.markdown for step in told.steps] == ["$a$: yes; $b$: no", f"- {'long ' * 40}\n\n- $b$"]
 
 
+def test_sentences_of_a_list_stay_sentences_in_a_line():
+    told = key((worded("Cases", "- For $K < 1$ none.\n\n- For $K > 1$ one."),))
+    assert [step.markdown for step in told.steps] == ["For $K < 1$ none. For $K > 1$ one."]
+
+
 QUICK = [path for path in EXAMPLES if path.stem in NAMED][:1]
 
 

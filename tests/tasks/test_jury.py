@@ -15,6 +15,7 @@ from solver.numeric.judges.digital import jury_fault
 from solver.systems import Polynomial, StateSpace, TransferFunction
 from tests.helpers.asking import ask, rejected
 from tests.helpers.marked import verdict
+from tests.helpers.said import page_of
 
 z, K, a, b = sp.Symbol("z"), *sp.symbols("K a b", real=True)
 METHODS = ("jury", "bilinear")
@@ -231,3 +232,18 @@ find:
 def test_marking(part, name, value, found):
     told = verdict(MARKED, part, name, value)
     assert (told.verdict, told.mistake or None) == found
+
+
+@pytest.mark.parametrize(
+    ("p", "halved", "second_row"),
+    [
+        (z**2 + K * z + a, True, False),
+        (z**3 + K * z + a, False, True),
+        (z**2 + z / 2, False, False),
+        (OGATA, False, True),
+    ],
+)
+def test_only_a_table_of_more_than_a_row_has_rows_in_reverse_order(p, halved, second_row):
+    page = page_of("jury", "jury", polynomial(p))
+    assert ("the half $a_{0} < a_{2}$ is enough" in page) is halved
+    assert ("in the second in reverse order" in page) is second_row

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected
 from tests.helpers.marked import verdict
+from tests.helpers.said import page_of
 from tests.tasks.test_stability_margins import loop_of, plant
 
 s = sp.Symbol("s")
@@ -102,3 +103,8 @@ PROBLEM = "system: {transfer_function: 60/(s(s + 1)(s + 5))}\nfind: {a: nyquist}
 )
 def test_marking(name, value, right):
     assert (verdict(PROBLEM, "a", name, value).verdict == "correct") is right
+
+
+def test_a_number_of_turns_has_the_sign_of_a_formula():
+    page = page_of("nyquist", "nyquist", plant(2 * (s + 3) / (s * (s - 1))))
+    assert "downward, $-2$ with its mirror image" in page

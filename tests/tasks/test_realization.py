@@ -10,6 +10,7 @@ from solver.derivation import CheckStatus, Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.fractions_of_polynomials import fraction, plant, s, values, z
+from tests.helpers.said import page_of
 from tests.helpers.tried import tried
 
 FORMS = ("controllable", "observable", "diagonal", "jordan", "modal")
@@ -290,3 +291,11 @@ def test_what_cannot_be_judged_alone_is_not_judged():
     task = catalogue()["realization"]
     checks = list(task.verify(task.given(PLAIN, {"form": "diagonal"}), {"C": answers["C"]}))
     assert [check.status for check in checks] == [CheckStatus.SKIPPED]
+
+
+@pytest.mark.parametrize("convention", ["last_row", "first_row"])
+@pytest.mark.parametrize(("denominator", "dots"), [(s + 2, False), (s**2 + 3 * s + 2, False), (s**3 + 1, True)])
+def test_dots_stand_for_something(denominator, dots, convention):
+    page = page_of("realization", "realization", plant(1, denominator), form="controllable", convention=convention)
+    assert (r"\cdots" in page) is dots
+    assert r"\ldots" not in page or dots
