@@ -113,4 +113,5 @@ def _tells(step: WordedStep, values: Sequence[_Value]) -> bool:
     """Whether a step has more to tell than the answers, which follow."""
     stated = [each for each in step.displayed if not isinstance(each.sides[-1], Written)]
     only = all(len(each.sides) == 2 and any(value.is_in(each.sides[-1]) for value in values) for each in stated)
-    return bool(step.markdown) and not step.markdown.endswith(":") and not (stated and only)
+    listed = any(block.startswith("- ") for block in step.markdown.split("\n\n"))
+    return bool(step.markdown) and not step.markdown.endswith(":") and (listed or not (stated and only))

@@ -83,6 +83,19 @@ def test_each_part_of_a_key_has_lines_that_earn_its_marks_on_at_most_a_page(path
             ["a(s) = s^{2} + 2", "2 on the imaginary axis"],
         ),
         ("{task: response, kind: zero_input, initial_state: [1, 0]}", ["X_{\\text{zi}}(s)", "y(t) = Cx = "]),
+        (
+            "{task: nyquist, system: {transfer_function: 2(s + 3)/(s(s - 1))}}",
+            [r"With $w = \omega^{2}$:", "w - 3 = 0", "downward, $-2$ with its mirror image", "Together $N = -1$"],
+        ),
+        (
+            "{task: stability_margins, system: {transfer_function: 10/(s(s + 1)(s + 5))}}",
+            [r"With $w = \omega^{2}$:", "w^{3} + "],
+        ),
+        (
+            "{task: lead_compensator, velocity_constant: 20, phase_margin: 50, "
+            "system: {transfer_function: 4/(s(s + 2))}}",
+            [r"\mathrm{PM}_0 = 180 + \varphi_0 = 17.964"],
+        ),
     ],
 )
 def test_the_lines_that_earn_marks_are_those_an_instructor_looks_for(find, lines):

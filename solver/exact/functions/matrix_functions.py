@@ -94,7 +94,7 @@ def asks_for_roots(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
 
 def _short_power(value: sp.Expr, degree: int) -> bool:
     """Whether a power of an eigenvalue is a number that a page can show: of 0, 1 and −1 all are."""
-    return value.is_Rational and max(abs(value.p), value.q) ** degree < 10**MOST_DIGITS_SHOWN
+    return isinstance(value, sp.Rational) and max(abs(value.p), value.q) ** degree < 10**MOST_DIGITS_SHOWN
 
 
 def _multiplicities_hold(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:

@@ -15,7 +15,7 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from solver.systems import OpenLoop
 
-EARNED = ("gain", "attempts", "section", "crossing", "free_gain", "check")
+EARNED = ("gain", "margins", "attempts", "section", "crossing", "free_gain", "check")
 TOGETHER = "it is judged together with the controller"
 NEAR = 4e-10
 
