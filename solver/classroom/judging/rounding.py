@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from sympy.core.relational import Relational
 
 from solver.classroom.judging.question import Question, checks_of
 from solver.classroom.submitted import Submitted, replaced
-from solver.derivation import Check
+from solver.derivation import Check, CheckStatus
 from solver.lazy import numeric
 
 FINE = 10**12
@@ -39,6 +40,21 @@ def within_rounding(
         return bool(numeric.can_vanish(sizes, len(each.decimals)))
     except numeric.NotEvaluable:
         return False
+
+
+def bounds_are_rounded(question: Question, name: str, each: Submitted) -> bool:
+    """Whether a condition is right with bounds of ours in place of decimals that are these bounds rounded."""
+    ours = question.ours.get(name)
+    if not each.decimals or not isinstance(each.form, sp.And | Relational) or not isinstance(ours, sp.And | Relational):
+        return False
+    sides = [side for relation in ours.atoms(Relational) for side in relation.args if side.is_number and side.is_finite]
+    exact = {}
+    for symbol, decimal in each.decimals.items():
+        near = [side for side in sides if abs(side - decimal.number) <= decimal.half_unit]
+        exact[symbol] = min(near, key=lambda side: abs(side - decimal.number), default=decimal.number)
+    value = replaced(each.form, exact)
+    checks = [check for check in checks_of(question, {name: Submitted(value, value)}) or () if name in check.judges]
+    return bool(checks) and all(check.status is CheckStatus.PASSED for check in checks)
 
 
 def _is_number(residual: float | None) -> bool:

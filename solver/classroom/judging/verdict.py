@@ -10,6 +10,7 @@ import sympy as sp
 from solver.classroom.judging.entries import all_right, by_items, entrywise, shaped
 from solver.classroom.judging.question import Question, checks_of
 from solver.classroom.judging.readings import judged_by_readings
+from solver.classroom.judging.rounding import bounds_are_rounded
 from solver.classroom.judging.vectors import Vectors
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
@@ -118,7 +119,7 @@ def _verdict_to_the_digits(name: str, fitting: Mapping[str, Submitted], question
     crashed = checks is None and not free and entries is not None
     freely = Vectors(question, name, each)
     if failed or crashed or (own and not _some_skipped(own)):
-        if each.decimals and free and freely.rounded(fitting, failed):
+        if (each.decimals and free and freely.rounded(fitting, failed)) or bounds_are_rounded(question, name, each):
             return _correct(name, each, TO_THE_DIGITS)
         entries = freely.entries() if free else by_items(own, entries, each.value, question.ours.get(name))
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)

@@ -43,8 +43,9 @@ class KindReader:
             names = [symbol.name for symbol in ours.free_symbols]
             if self.decimal_comma:
                 node = Unfolding(self.texts.choices, comma=True).with_points(node)
-            read = self.texts.condition(node, names[0] if len(names) == 1 else "")
-            return (self._in_case(read, ours),) * 2
+            alone = names[0] if len(names) == 1 else ""
+            value, written = (self.texts.condition(node, alone, form=form) for form in (False, True))
+            return self._in_case(value, ours), self._in_case(written, ours)
         if isinstance(ours, sp.Set | list | tuple):
             return self._set(node, ours)
         if isinstance(ours, sp.MatrixBase):
@@ -70,7 +71,7 @@ class KindReader:
 
     def _in_case(self, read: Any, ours: Any) -> Any:
         """A condition on k as one on K, where this is the parameter and no other is there."""
-        parameters, own = symbols_of(ours), symbols_of(read)
+        parameters, own = symbols_of(ours), symbols_of(read) - set(self.texts.decimals)
         if len(parameters) != 1 or len(own) != 1 or parameters == own:
             return read
         (meant,), (written,) = parameters, own

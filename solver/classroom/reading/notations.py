@@ -22,7 +22,7 @@ from solver.classroom.reading.spelling import respelled
 from solver.problem.expressions import ExpressionError, Names
 from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS, GREEK
 from solver.problem.expressions.tokens import Kind, tokenize
-from solver.problem.expressions.vocabulary import as_product
+from solver.problem.expressions.vocabulary import as_product, pieces_of
 
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _FRACTIONS = {"½": "1/2", "¼": "1/4", "¾": "3/4", "⅓": "1/3", "⅔": "2/3", "⅕": "1/5", "⅙": "1/6", "⅛": "1/8"}
@@ -73,7 +73,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"∠\s*(±?)\s*([-+]?[\d.]+\s*°?|\([^()]*\)|[-+]?atan\([^()]*\))", r"*e^(\1j*\2)"),  # 2∠30°
         (r"\b(?:Rational|Fraction)\s*\(\s*([-+]?\d+)\s*,\s*(\d+)\s*\)", r"(\1/\2)"),
         (r"\b(?:S|Integer)\s*\(\s*([-+]?\d+)\s*\)", r"(\1)"),
-        (r"(\d+(?:\.\d+)?)\s*°", r"(\1*pi/180)"),
+        (r"(\d+(?:\.\d+)?)\s*(?:°|deg(?:rees?)?\b)", r"(\1*pi/180)"),  # cos(4t - 161.6 deg)
         (r"(?<![\w.])(\d{1,9})\s?(?=[½¼¾⅓⅔⅕⅙⅛])([½¼¾⅓⅔⅕⅙⅛])", lambda found: f"({found[1]}+{_FRACTIONS[found[2]]})"),
         (r"(?<![\w.)])(\d)!(?!=)", lambda found: str(factorial(int(found[1])))),
         (r"½", "(1/2)"),
@@ -260,4 +260,7 @@ def _meant(name: str, names: Names) -> str:
     if (found := re.fullmatch(rf"({_FUNCTION})([a-zA-Z])", name)) and names.declares(found[2]):
         return f"{found[1]} {found[2]}"
     indexed = re.fullmatch(r"[^\W\d_]{2,}_\d+", name)  # kx_1
-    return as_product(squeezed if indexed else name, names).replace("*", " ") or name
+    written = squeezed if indexed else name
+    meanings = bare | {known: known for known in names.known()}
+    factors = " ".join(meanings[piece] for piece in pieces_of(written, set(meanings)))  # p1p2 for p_1 p_2
+    return as_product(written, names).replace("*", " ") or factors or name

@@ -26,7 +26,8 @@ _INTEGER = re.compile(
     re.IGNORECASE,
 )
 _APART = re.compile(r"[;\n]|\s+(?:and|or|und|oder)\s+")
-_BARRED = re.compile(r"\(([^()|,;]+)\|([^()|,;]+)\)")
+_BARRED = re.compile(r"(?:\b[A-Z]_?\d*)?\(([^()|,;]+)\|([^()|,;]+)\)")
+_BOTH = re.compile(r"(^|[,;{\[]|\b(?:and|und))\s*±\s*\(([^()]*)\)")
 _COLUMN = re.compile(r"\[[^\[\]();,]+(?:;[^\[\]();,]+)+\]")
 _TRANSPOSED = re.compile(r"([\])])\s*(?:\^\(?\s*T\s*\)?|ᵀ|')")
 _OF_SET = re.compile(r"^\s*\([^()=]*\)\s*(?:∈|\bin\b)\s*(?=\{)")
@@ -117,12 +118,15 @@ class PointReader:
         return [each for each in found if not _INTEGER.fullmatch(each)]
 
     def _plainly(self, text: str) -> str:
-        """Points as (0, 1) without their names, P1 = (0|1), without a set around them, and columns as rows."""
+        """Points as (0, 1) without names, P1 = (0|1), P1(0|1), both of ±(0, 1), without a set, and columns as rows."""
         text = _COLUMN.sub(lambda found: f"({found[0][1:-1].replace(';', ',')})", _BARRED.sub(r"(\1, \2)", text))
         text = _INTEGERS.sub("", _OF_SET.sub("", _TRANSPOSED.sub(r"\1", text), count=1))
         text = _MEMBER.sub(r"\1 = {", text)
         named = {*map(str, self.unknowns)}
         text = _NAMED.sub(lambda found: found[0] if found[2] in named else found[1], text)
+        text = _BOTH.sub(
+            lambda found: f"{found[1]} ({found[2]}), ({', '.join(f'-({x})' for x in found[2].split(','))})", text
+        )
         if enclosed(text, "{}") and text[1:].lstrip()[:1] in ("(", "[", "{"):
             text = text[1:-1].strip()
         return text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from typing import Any
 
@@ -11,6 +12,7 @@ from solver.classroom.reading.expected import Expected
 from solver.problem.expressions.notation import GREEK_NAMES
 
 MOST_LETTERS = 6
+_INDEX = re.compile(r"_?\d+$")
 
 Pair = tuple[Any, Any]
 
@@ -33,7 +35,8 @@ def spanned(read: Pair, known: Collection[sp.Symbol], expected: Expected) -> Pai
 
 
 def _is_letter(name: str) -> bool:
-    return len(name) == 1 or name in GREEK_NAMES
+    letter = _INDEX.sub("", name)  # x2 and x_4 of the free unknowns
+    return len(letter) == 1 or letter in GREEK_NAMES
 
 
 def _are_linear(value: Any, letters: list[sp.Symbol]) -> bool:

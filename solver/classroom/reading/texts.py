@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -100,8 +101,10 @@ class TextReader:
         self.decimals = known[1]
         return found[:1]
 
-    def condition(self, node: Node, name: str = "") -> Any:
+    def condition(self, node: Node, name: str = "", *, form: bool = False) -> Any:
         """Return a condition such as "0 < K < 6", True for "always", False for "never"; raises Fault.
+
+        Decimals in it stand for themselves, in its form for what they are rounded from.
 
         The interval (0, 6) alone is a condition on the parameter of this name.
         """
@@ -113,14 +116,23 @@ class TextReader:
             self.respelt = self.respelt or in_relations(text) != text.strip()
             if is_unclear(text):
                 text = with_ends(text, closed=self.choices.choose(("ends", text), (False, True)))
-            return ConditionReader(self._side, name).read(text)
+            return ConditionReader(self._form_of_side if form else self._side, name).read(text)
 
     def _side(self, text: str) -> Any:
         """One side of a condition, where decimals stand for themselves. Raises ExpressionError."""
-        (value, _), *others = parse_written(self._plain(text), self.names, {}, self._decide)
+        return self._pair_of_side(text, {})[0]
+
+    def _form_of_side(self, text: str) -> Any:
+        """One side of a condition, with a symbol for each decimal. Raises ExpressionError."""
+        decimals = decimals_of(self._plain(text), len(self.decimals))
+        self.decimals |= dict(decimals.values())
+        return self._pair_of_side(text, {place: symbol for place, (symbol, _) in decimals.items()})[1]
+
+    def _pair_of_side(self, text: str, decimals: Mapping[int, sp.Symbol]) -> Pair:
+        pair, *others = parse_written(self._plain(text), self.names, decimals, self._decide)
         if others:
             raise ExpressionError("± stands for two values; one is expected here", 0, len(text))
-        return value
+        return pair
 
     @property
     def ones(self) -> dict[Any, Any]:

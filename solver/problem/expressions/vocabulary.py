@@ -100,7 +100,7 @@ def as_product(name: str, names: Names) -> str:
 
     Its pieces are declared names or constants; or a letter before a variable of the task: Ts is T*s where s is one.
     """
-    pieces = _pieces(name, set(names.known()))
+    pieces = pieces_of(name, set(names.known()))
     if not pieces and names.open and name not in GREEK_NAMES:
         variable = next((each for each in names.variables if name.endswith(each)), "")
         factor = name.removesuffix(variable)
@@ -109,8 +109,8 @@ def as_product(name: str, names: Names) -> str:
     return "*".join(pieces)
 
 
-def _pieces(name: str, known: set[str]) -> list[str]:
-    """The name cut into the fewest known names, at least two; empty if there is no such cut."""
+def pieces_of(name: str, known: set[str]) -> list[str]:
+    """Return the name cut into the fewest known names, at least two; empty if there is no such cut."""
     best: list[list[str] | None] = [[]]
     for end in range(1, len(name) + 1):
         cuts = [[*head, name[at:end]] for at in range(end) if (head := best[at]) is not None and name[at:end] in known]
