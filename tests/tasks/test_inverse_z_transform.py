@@ -91,7 +91,16 @@ def test_sequences_of_the_textbooks(F, method):
 def test_the_coefficients_are_those_of_the_image_divided_by_z():
     result = asked("z/((z - 1)(z - 2))")
     kinds = [each.kind for each in result.steps]
-    assert kinds == ["divide_by_z", "covered_up", "partial_fractions", "times_z", "pairs", "back", "first_terms"]
+    assert kinds == [
+        "divide_by_z",
+        "form",
+        "covered_up",
+        "partial_fractions",
+        "times_z",
+        "pairs",
+        "back",
+        "first_terms",
+    ]
     assert result.steps[0].claims["F"].right.operands[0] == 1 / ((Z - 1) * (Z - 2))
     assert result.answers["f"] == 2**K - 1
 

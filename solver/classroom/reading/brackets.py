@@ -50,7 +50,10 @@ def enclosed(text: str, brackets: str = "[]") -> bool:
 
 
 def closed(text: str) -> str:
-    """Return a text with the bracket that is missing at its end, or without the one too many there; "" of any other."""
+    """Return a text with the bracket that is missing at its end, or without the one too many there; "" of any other.
+
+    In a formula a round one may be missing anywhere: 1/(s+1 has no one reading.
+    """
     left = [sign for sign in text if sign in OPENING + CLOSING]
     kinds = dict(zip(OPENING, CLOSING, strict=True))
     still: list[str] = []
@@ -61,7 +64,7 @@ def closed(text: str) -> str:
             still.pop()
         else:
             return text.rstrip()[:-1] if not still and text.rstrip().endswith(sign) and sign == left[-1] else ""
-    return text + still[0] if len(still) == 1 else ""
+    return text + still[0] if len(still) == 1 and still != [")"] else ""
 
 
 def rows(text: str) -> list[str]:
