@@ -94,6 +94,8 @@ def _parser() -> MarkdownIt:
     for kind, displayed in MATH_TOKENS.items():
         found.add_render_rule(kind, _drawer(displayed))
     found.add_render_rule("image", _shown_image)
+    found.add_render_rule("table_open", lambda *_: '<div class="scroll" tabindex="0"><table>\n')  # wide on a phone
+    found.add_render_rule("table_close", lambda *_: "</table></div>\n")
     return found
 
 

@@ -15,6 +15,7 @@ from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.problem.template import new_problem
 from solver.render.wording import Wording
+from solver.systems import TransferFunction
 from solver.tasks import catalogue
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_problem, solution_of
 
@@ -39,9 +40,8 @@ def given_in(solved, wording):
     systems = [part.system for part in parts] + [solved.problem.system]
     values = [value for part in parts for value in part.options.values()]
     values += [getattr(system, name, None) for system in systems for name in ("A", "B", "C", "D", "matrix")]
-    values += [
-        sp.Mul(above, 1 / below) for above, below in filter(None, (getattr(each, "written", None) for each in systems))
-    ]
+    written = [system.written for system in systems if isinstance(system, TransferFunction)]
+    values += [above / below for above, below in filter(None, written)]
     return {wording.tex(value) for value in values if isinstance(value, sp.MatrixBase | sp.Expr)}
 
 

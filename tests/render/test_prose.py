@@ -95,7 +95,7 @@ HOSTILE = [
     "\u202eevil\u202c \u0000 \ufeff 中文 🙂 ħ é e\u0301",
 ]
 
-TEXT_TAGS = "p em strong code pre ol ul li blockquote table thead tbody tr th td hr br a math".split()
+TEXT_TAGS = "p em strong code pre ol ul li blockquote div table thead tbody tr th td hr br a math".split()
 ALLOWED_TAGS = {*TEXT_TAGS, *(f"h{n}" for n in range(1, 7))}
 
 

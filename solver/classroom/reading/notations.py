@@ -155,6 +155,7 @@ def _with_polar(text: str) -> str:
 def _with_steps(text: str, names: Names) -> str:
     """u(t - 2), σ(t), 1(t) as step(t - 2), … where the problem has no such name."""
     declared = {*names.symbols, *names.values, *names.functions}
+    declared |= {each.partition("(")[0] for each in names.symbols if "(" in each}  # u(k) of a difference equation
     free = "|".join(name for name in _STEPS if name not in declared)
     call = re.compile(rf"(?:(?<![A-Za-z_])(?:{free})|(?<![\w.])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tkn])(?!\w))")
     return call.sub(lambda found: found[0] if _is_parameter(found[1], names) else "step(", text)

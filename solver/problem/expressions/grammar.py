@@ -211,12 +211,24 @@ class _Parser:
                 if self.decide is None or token.text in ("step", "inv"):
                     raise refusals.argument_missing(self.cursor, token)
                 return bare_call(self, token, self.decide)
+        if (at_a_time := self.at_a_time(token)) is not None:
+            return at_a_time
         check_name(token, self.names)
         if self.cursor.sees_adjacent("("):
             check_call(token, self.names, self.cursor.after(2))
         if self.cursor.sees("("):
             self.check_late(token)
         return Name(token.at, token.end, token.text)
+
+    def at_a_time(self, token: Token) -> Name | None:
+        """Read y(k+1) where a symbol is called so, as the states of a difference equation are."""
+        cursor, end = self.cursor, self.cursor.text.find(")", token.end) + 1
+        name = "".join(cursor.text[token.at : end].split())
+        if not cursor.sees_adjacent("(") or name not in self.names.symbols:
+            return None
+        while cursor.take().end < end:
+            pass
+        return Name(token.at, end, name)
 
     def check_late(self, token: Token) -> None:
         """Refuse u(t - 1) and 1(t) in a problem file; in an answer, a(t - 1) is a product."""

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from sympy.solvers.solveset import NonlinearError
 
 from solver.numeric.evaluation.points import SEED, PointSource
 from solver.numeric.evaluation.values import NotEvaluable
@@ -101,7 +102,20 @@ def _with_hidden(equations: Sequence[Any], point: Point, numbers: Mapping[Any, A
     misfits = [_misfit(e, {}) for e in real if not e.free_symbols]
     fixed = max((np.inf if each is None else each for each in misfits), default=0.0)
     asked = [x for x in hidden if any(e.has(x) for e in left)]
-    return fixed if not left or len(_solutions(left, asked, {}, 1e9)) else np.inf
+    if not left:
+        return fixed
+    exactly = _are_consistent(left, asked)
+    return fixed if (len(_solutions(left, asked, {}, 1e9)) if exactly is None else exactly) else np.inf
+
+
+def _are_consistent(equations: Sequence[Any], unknowns: Sequence[Any]) -> bool | None:
+    """Whether linear equations have a solution, exactly; None where they are not linear in rational numbers."""
+    try:
+        A, b = sp.linear_eq_to_matrix(equations, unknowns)
+    except NonlinearError:
+        return None
+    whole = A.row_join(b)
+    return bool(A.rank() == whole.rank()) if all(each.is_Rational for each in whole) else None
 
 
 def _symbols_of(point: Point, known: Sequence[Any]) -> list[Any]:
