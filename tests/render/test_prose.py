@@ -113,7 +113,7 @@ def assert_harmless_html(html):
     parser.feed(html)
     for tag, attributes in parser.seen:
         assert tag in ALLOWED_TAGS, html
-        assert set(attributes) <= {"href", "style", "start", "class", "title"}, html
+        assert set(attributes) <= {"href", "style", "start", "class", "title", "tabindex"}, html
         assert attributes.get("href", "#").lower().startswith(("#", "http://", "https://", "mailto:")), html
 
 
