@@ -14,7 +14,7 @@ from solver.numeric.judges import stability as judges
 from solver.stated.matrices import determinant
 from solver.tasks import consequences
 from solver.tasks.form_meanings import routh_entry
-from solver.tasks.stability.counterexamples import counterexample
+from solver.tasks.stability.counterexamples import condition_check, counterexample
 from solver.tasks.stability.criterion import (
     CriterionOptions,
     companion,
@@ -216,14 +216,8 @@ def are_the_minors(given: Given[Polynomial, CriterionOptions], answers: Answers)
 @routh_hurwitz.verification("condition")
 def holds_where_the_roots_say(given: Given[Polynomial, CriterionOptions], answers: Answers) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if p is stable."""
-    fault = judges.counterexample(companion(given.system), answers["condition"], discrete=False)
     says = "the condition holds exactly where all roots lie in the left half plane"
-    check = Check.that(
-        Phrase("{claim} ({fault})", claim=says, fault=fault) if fault else says,
-        "numpy.linalg.eigvals, beside the edges mpmath.eig",
-        not fault,
-    )
-    yield replace(check, reason=fault)
+    yield condition_check(companion(given.system), answers["condition"], says, discrete=False)
 
 
 routh_hurwitz.consequence("right_half_plane_roots", of=("array",), symbolic=False)(consequences.sign_changes)

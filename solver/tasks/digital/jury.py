@@ -14,6 +14,7 @@ from solver.numeric.judges import stability
 from solver.tasks.digital import jury_mistakes
 from solver.tasks.digital.jury_table import comparisons_of, necessary_conditions, products_of, table_of
 from solver.tasks.digital.w_plane import by_the_image_in_w
+from solver.tasks.stability.counterexamples import condition_check
 from solver.tasks.stability.criterion import (
     CriterionOptions,
     companion,
@@ -23,7 +24,6 @@ from solver.tasks.stability.criterion import (
     has_parameters,
     positive_lead,
 )
-from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -170,11 +170,5 @@ def follows_row_by_row(given: Given[Polynomial, CriterionOptions], answers: Answ
 @jury.verification("condition")
 def holds_where_the_roots_say(given: Given[Polynomial, CriterionOptions], answers: Answers) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if p is stable."""
-    fault = stability.counterexample(companion(given.system), answers["condition"], discrete=True)
     says = "the condition holds exactly where all roots lie inside the unit circle"
-    check = Check.that(
-        Phrase("{claim} ({fault})", claim=says, fault=fault) if fault else says,
-        "numpy.linalg.eigvals, beside the edges mpmath.eig",
-        not fault,
-    )
-    yield replace(check, reason=fault)
+    yield condition_check(companion(given.system), answers["condition"], says, discrete=True)

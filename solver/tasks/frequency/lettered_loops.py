@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Attempt, Check, Given
 from solver.lazy import sympy as sp
 from solver.numeric.judges import frequency as judges
-from solver.numeric.judges import stability as stability_judges
 from solver.tasks.frequency.boundary import period_of
-from solver.tasks.stability.counterexamples import counterexample
+from solver.tasks.stability.counterexamples import condition_check, counterexample
 from solver.tasks.stability.criterion import companion_of
-from solver.words import Phrase, Reason
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -64,14 +63,8 @@ def _at(value: Any, values: dict[Any, Any]) -> Any:
 
 def holds_where_the_poles_say(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if D + N is."""
-    fault = stability_judges.counterexample(_companion(given.system), answers["condition"], discrete=False)
     says = "the condition holds exactly where all poles of the closed loop lie in the left half plane"
-    check = Check.that(
-        Phrase("{claim} ({fault})", claim=says, fault=fault) if fault else says,
-        "numpy.linalg.eigvals, beside the edges mpmath.eig",
-        not fault,
-    )
-    yield replace(check, reason=fault)
+    yield condition_check(_companion(given.system), answers["condition"], says, discrete=False)
 
 
 def where_it_is_wrong(wrong: Attempt[OpenLoop, LoopOptions]) -> Reason | None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import islice, product
 from typing import TYPE_CHECKING, Any
 
+from solver.derivation import Check
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra
 from solver.numeric.judges import stability as judges
 from solver.tasks.told import Told, told
-from solver.words import Reason
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -39,6 +41,20 @@ def counterexample(A: ImmutableMatrix, condition: Any, *, discrete: bool) -> Rea
             values = {"point": point, "holds": bool(holds), "eigenvalues": outside or eigenvalues}
             return Reason("meanings/counterexample", {**values, "discrete": discrete})
     return None
+
+
+def condition_check(A: ImmutableMatrix, condition: Any, claim: str, *, discrete: bool) -> Check:
+    """Return the check that a condition holds if and only if all eigenvalues of A lie inside, as the claim says.
+
+    At points on both sides of every edge of the condition, and at random ones.
+    """
+    fault = judges.counterexample(A, condition, discrete=discrete)
+    check = Check.that(
+        Phrase("{claim} ({fault})", claim=claim, fault=fault) if fault else claim,
+        "numpy.linalg.eigvals, beside the edges mpmath.eig",
+        not fault,
+    )
+    return replace(check, reason=fault)
 
 
 def _beyond(each: Told, *, discrete: bool) -> float:
