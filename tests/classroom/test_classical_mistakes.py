@@ -52,6 +52,19 @@ NAMED = [
 ]
 
 
+LATE = """\
+title: A loop round a dead time, of which no fraction tells what usual mistakes lead to
+system: {transfer_function: exp(-s)/(s + 1)}
+find:
+  o: {task: dc_gain, controller: 2, feedback: unity}
+"""
+
+
+def test_a_mistake_without_a_meaning_here_is_none():
+    assert verdict(LATE, "o", "dc_gain", "7/3").verdict is Verdict.WRONG
+    assert verdict(LATE, "o", "dc_gain", "2/3").verdict is Verdict.CORRECT
+
+
 @pytest.mark.parametrize(("part", "name", "value", "says"), NAMED)
 def test_a_mistake_is_named(part, name, value, says):
     found = verdict(PROBLEM, part, name, f'"{value}"' if not value.startswith("[") else value)

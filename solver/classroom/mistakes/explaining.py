@@ -11,7 +11,7 @@ from solver.classroom.mistakes.equalities import broken
 from solver.classroom.mistakes.naming import what_went_wrong
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict
-from solver.derivation import Attempt, CheckStatus, PartResult
+from solver.derivation import Attempt, CheckStatus, PartResult, Unsolved
 from solver.problem.model import Part
 from solver.words import Reason
 
@@ -60,5 +60,5 @@ def _meaning(name: str, wrong: Wrong) -> Reason | None:
 def _careful(tell: Callable[[Attempt[Any, Any]], Reason | None], attempt: Attempt[Any, Any]) -> Reason | None:
     try:
         return tell(attempt)
-    except STRANGE:  # the value is of a form of which nothing can be told
+    except (*STRANGE, Unsolved):  # the value is of a form, or the system of a kind, of which nothing can be told
         return None

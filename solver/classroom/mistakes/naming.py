@@ -22,7 +22,7 @@ from solver.classroom.mistakes.undone import undone
 from solver.classroom.mistakes.values import TRANSFORMED, Case
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
-from solver.derivation import Answers, Attempt, Given, PartResult, Slip
+from solver.derivation import Answers, Attempt, Given, PartResult, Slip, Unsolved
 from solver.lazy import exact
 from solver.patches import Program
 from solver.problem.model import Part
@@ -129,7 +129,7 @@ def careful(values: Callable[[], Iterable[Any]]) -> Iterator[Any]:
     """Yield the values of a mistake that can be made here."""
     try:
         yield from values()
-    except (*STRANGE, exact.NotExact):  # the mistake has no meaning for this kind of value
+    except (*STRANGE, exact.NotExact, Unsolved):  # the mistake has no meaning for this kind of value or of system
         return
 
 
