@@ -14,7 +14,7 @@ from xml.etree.ElementTree import Element
 from solver.papers.export.canvas_text import asks, asks_essay, hints, parts_of, told
 from solver.papers.export.content import images_of
 from solver.papers.export.packages import node
-from solver.papers.export.quiz import Choice, Field, Item, Number, Spelling
+from solver.papers.export.quiz import Choice, Field, Item, Number
 from solver.papers.export.versions import decimal, marks_of_fields
 from solver.problem.images import Image
 
@@ -85,8 +85,6 @@ def item_of(slot: Slot, identifier: str, html: str) -> Element:
             kind, answer, right = "numerical_question", _text("Decimal"), _between(field)
         case Choice() as field:
             kind, answer, right = "multiple_choice_question", _words(field), [_equal(_word(field.right))]
-        case Spelling() as field:
-            kind, answer, right = "short_answer_question", _text(), list(map(_equal, field.right))
         case None:
             kind, answer, right = "essay_question", _text(), []
     texts = {

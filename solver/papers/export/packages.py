@@ -8,6 +8,7 @@ import zipfile
 from collections.abc import Iterable, Mapping
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
+from xml.sax.saxutils import unescape
 
 HEADER = '<?xml version="1.0" encoding="UTF-8"?>\n'
 _ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -64,11 +65,22 @@ def read_line(fragment: str) -> Element:
     return ElementTree.fromstring(f"<p>{legal(fragment)}</p>")  # noqa: S314 - as above
 
 
-def file_of(root: Element, *, indented: bool = False) -> bytes:
-    """Return a document; only one without mixed content may be `indented`."""
+def file_of(root: Element, *, indented: bool = False, literal: str = "") -> bytes:
+    """Return a document; only one without mixed content may be `indented`.
+
+    Elements with the name `literal` hold text only; it stands in CDATA sections where it has signs to be escaped.
+    """
     if indented:
         ElementTree.indent(root)
-    return (HEADER + ElementTree.tostring(root, encoding="unicode") + "\n").encode()
+    document = ElementTree.tostring(root, encoding="unicode")
+    if literal:
+        document = re.sub(rf"(?<=<{literal}>)[^<]*&[^<]*(?=</{literal}>)", _section, document)
+    return (HEADER + document + "\n").encode()
+
+
+def _section(escaped: re.Match[str]) -> str:
+    """Return a text in a CDATA section, or in several where it has the end of one in it."""
+    return f"<![CDATA[{unescape(escaped[0]).replace(']]>', ']]]]><![CDATA[>')}]]>"
 
 
 def zipped(files: Mapping[str, bytes], folders: Iterable[str] = ()) -> bytes:

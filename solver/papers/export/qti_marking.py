@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element
 
 from solver.papers.export.packages import node
 from solver.papers.export.qti_body import ESSAY, SHOWN, SOLUTION, feedback, line, word_of
-from solver.papers.export.quiz import Asked, Choice, Field, Item, Number, Spelling, Wrong
+from solver.papers.export.quiz import Asked, Choice, Field, Item, Number, Wrong
 from solver.papers.export.versions import decimal, marks_of_fields
 
 SCORE, HINTS = "SCORE", "FEEDBACK"
@@ -59,8 +59,6 @@ def _response(field: Field) -> Element:
             base, right = "float", typed
         case Choice(right=index):
             base, right = "identifier", word_of(index)
-        case Spelling(right=spellings):
-            base, right = "string", spellings[0]
     correct = _value("correctResponse", right)
     return node("responseDeclaration", correct, identifier=field.key, cardinality="single", baseType=base)
 
@@ -80,7 +78,7 @@ def _each(asked: Asked, hints: Mapping[str, str]) -> Iterator[Element]:
     for field in asked.fields:
         branches = [(_right(field), [_add(marks[field])])]
         branches += [(_equals(field, wrong), list(_earned(wrong, marks[field], hints))) for wrong in _wrong_of(field)]
-        yield _chosen([field], branches)
+        yield _chosen(branches)
 
 
 def _whole(asked: Asked, hints: Mapping[str, str]) -> Iterator[Element]:
@@ -89,22 +87,18 @@ def _whole(asked: Asked, hints: Mapping[str, str]) -> Iterator[Element]:
     branches = [(_all(list(map(_right, fields))), [_add(asked.marks)])]
     branches += [(_all([_by(field, hint) for field in fields]), [_add(asked.marks * share)])
                  for hint, share in _shares(asked).items()]  # fmt: skip
-    yield _chosen(fields, branches)
+    yield _chosen(branches)
     for field in fields:
         for wrong in _wrong_of(field):
             if wrong.hint:
                 yield node("responseCondition", node("responseIf", _equals(field, wrong), _told(hints[wrong.hint])))
 
 
-def _chosen(fields: Sequence[Field], branches: Sequence[tuple[Element, list[Element]]]) -> Element:
-    """Return the condition that takes the first branch that holds.
-
-    A blank for a word comes first and does nothing, as not every system compares with a blank as it should.
-    """
-    blank = [(node("isNull", _variable(field.key)), list[Element]()) for field in fields if isinstance(field, Spelling)]
-    ordered = [*blank, *branches]
-    tags = ["responseIf", *["responseElseIf"] * (len(ordered) - 1)]
-    return node("responseCondition", *(node(tag, when, *then) for tag, (when, then) in zip(tags, ordered, strict=True)))
+def _chosen(branches: Sequence[tuple[Element, list[Element]]]) -> Element:
+    """Return the condition that takes the first branch that holds."""
+    tags = ["responseIf", *["responseElseIf"] * (len(branches) - 1)]
+    taken = zip(tags, branches, strict=True)
+    return node("responseCondition", *(node(tag, when, *then) for tag, (when, then) in taken))
 
 
 def _shares(asked: Asked) -> Mapping[str, Fraction]:
@@ -136,10 +130,6 @@ def _right(field: Field) -> Element:
             return _near(field, value, tolerance)
         case Choice():
             return node("match", _variable(field.key), node("correct", identifier=field.key))
-        case Spelling(right=spellings):
-            same = [node("stringMatch", _variable(field.key), _constant("string", each), caseSensitive="false")
-                    for each in spellings]  # fmt: skip
-            return node("or", *same) if len(same) > 1 else same[0]
 
 
 def _equals(field: Field, wrong: Wrong) -> Element:

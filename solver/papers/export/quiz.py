@@ -88,17 +88,7 @@ class Choice:
     marks: Fraction
 
 
-@dataclass(frozen=True, slots=True)
-class Spelling:
-    """A field for a word, such as the sign of infinity, in any of the spellings that are right (capitals or not)."""
-
-    key: str
-    label: str
-    right: tuple[str, ...]
-    marks: Fraction
-
-
-Field = Number | Choice | Spelling
+Field = Number | Choice
 
 
 @dataclass(frozen=True, slots=True)

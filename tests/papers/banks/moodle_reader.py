@@ -1,21 +1,29 @@
-"""A reader of Moodle XML that shares nothing with the writer: Moodle's own regular expression for gaps, its marking."""
+"""A reader of Moodle XML that shares nothing with the writer: it loses what Moodle's loses, and marks as Moodle does.
+
+After `public/lib/classes/xml_parser.php`, `public/question/format/xml/format.php` and
+`public/question/type/multianswer/questiontype.php` of moodle/moodle (5.1), and what gaps were before.
+"""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html import unescape
 from xml.etree import ElementTree
+from xml.parsers import expat
 
-ALT = r"((?:=|%(?:-?[0-9]+(?:[.,][0-9]*)?)%)?)(.+?(?<!\\|&)(?=[~#}]|$))(#(.*?(?<!\\)(?=[~}]|$)))?"
-GAP = re.compile(
-    r"\{([0-9]*):(NUMERICAL|NM|SHORTANSWER|SA|MW|MULTICHOICE|MC):(" + ALT + "(?:~" + ALT + r")*)\}", re.DOTALL
-)
-ALTERNATIVE = re.compile(ALT, re.DOTALL)
+ALT = r"((?:=|%(?:-?[0-9]+(?:[.,][0-9]*)?)%)?)(.+?HIDDEN(?=[~#}]|$))(#(.*?(?<!\\)(?=[~}]|$)))?"
+HIDDEN = (r"(?<!\\)", r"(?<!\\)(?<!&)(?<!&amp;)")
+"""What no answer ends behind, in Moodle 5 and before."""
+
+NUMBER = re.compile(r"-?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?")
+PLACE = re.compile(r"\{#\d+\}")
+"""What Moodle writes in the place of a gap."""
+
 FRACTIONS = {100, 90, 83.33333, 80, 75, 70, 66.66667, 60, 50, 40, 33.33333, 30, 25, 20, 16.66667, 14.28571, 12.5,
              11.11111, 10, 5, 0}  # fmt: skip
-KINDS = {"NM": "NUMERICAL", "SA": "SHORTANSWER", "MW": "SHORTANSWER", "MC": "MULTICHOICE"}
-TYPES = {"cloze", "numerical", "multichoice", "shortanswer", "essay"}
+TYPES = {"cloze", "numerical", "multichoice", "essay"}
 
 
 @dataclass
@@ -76,7 +84,7 @@ class Read:
 def read_moodle(content: bytes) -> list[Read]:
     """Return the questions of a file as Moodle imports them; raises AssertionError where it would refuse or misread."""
     assert content.startswith(b"<?xml")
-    root = ElementTree.fromstring(content)  # noqa: S314 - of our own writer
+    root = parsed(content)
     assert root.tag == "quiz"
     found: list[Read] = []
     category = ""
@@ -90,6 +98,38 @@ def read_moodle(content: bytes) -> list[Read]:
     numbers = [each.idnumber for each in found]
     assert len(set(numbers)) == len(numbers)
     return found
+
+
+def parsed(content: bytes) -> ElementTree.Element:
+    """Return the elements as Moodle's parser has them: of a text it loses each piece that is white.
+
+    Pieces are what stands between two signs that are escaped, and whole sections of CDATA.
+    """
+    builder, pieces, sections = ElementTree.TreeBuilder(), list[str](), [False]
+
+    def ended() -> None:
+        text = "".join(pieces)
+        pieces.clear()
+        if text.strip():
+            builder.data(text)
+
+    def piece(text: str) -> None:
+        pieces.append(text)
+        if not sections[0]:
+            ended()
+
+    def section(begins: bool) -> None:
+        ended()
+        sections[0] = begins
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = builder.start
+    parser.EndElementHandler = builder.end
+    parser.CharacterDataHandler = piece
+    parser.StartCdataSectionHandler = lambda: section(True)
+    parser.EndCdataSectionHandler = lambda: section(False)
+    parser.Parse(content, True)
+    return builder.close()
 
 
 def told(element: ElementTree.Element, tag: str) -> str:
@@ -131,33 +171,43 @@ def harmless(html: str) -> None:
 
 
 def gaps_of(text: str) -> list[Gap]:
-    """Return the gaps of a text, as Moodle extracts them."""
-    found = []
-    for match in GAP.finditer(text):
-        kind = {"NM": "NUMERICAL", "SA": "SHORTANSWER", "MW": "SHORTANSWER", "MC": "MULTICHOICE"}.get(
-            match[2], match[2]
-        )
-        answers = []
-        rest = match[3]
-        while rest:
-            each = ALTERNATIVE.match(rest)
-            assert each, rest
-            share = 100.0 if each[1] == "=" else float(each[1].strip("%") or 0)
-            answer = Answer(share, decoded(each[2]), decoded(each[4] or ""))
-            if kind == "NUMERICAL":
-                value, tolerance = answer.text.split(":")
-                answer.text, answer.tolerance = value, float(tolerance)
-                float(value)
-            answers.append(answer)
-            rest = rest[each.end() :]
-            assert not rest or rest[0] == "~"
-            rest = rest[1:]
-        found.append(Gap(float(match[1] or 1), kind, answers))
-    return found
+    """Return the gaps of a text, as Moodle extracts them, which must be the same in its versions."""
+    assert not PLACE.search(text)
+    now, before = (gaps_by(text, ALT.replace("HIDDEN", hidden)) for hidden in HIDDEN)
+    assert now == before
+    return now
+
+
+def gaps_by(text: str, alternative: str) -> list[Gap]:
+    """Return the gaps of a text by the regular expression of an answer with its share and feedback."""
+    gap = re.compile(rf"\{{([0-9]*):(NUMERICAL|MULTICHOICE):({alternative}(?:~{alternative})*)\}}", re.DOTALL)
+    return [
+        Gap(float(found[1] or 1), found[2], list(answers_of(found[3], found[2], re.compile(alternative, re.DOTALL))))
+        for found in gap.finditer(text)
+    ]
+
+
+def answers_of(rest: str, kind: str, alternative: re.Pattern[str]) -> Iterator[Answer]:
+    """Yield the answers of a gap."""
+    while rest:
+        each = alternative.match(rest)
+        assert each, rest
+        share = 100.0 if each[1] == "=" else float(each[1].strip("%") or 0)
+        if kind == "NUMERICAL":
+            value, tolerance = each[2].split(":")
+            assert NUMBER.fullmatch(value)
+            assert NUMBER.fullmatch(tolerance)
+            yield Answer(share, value, decoded(each[4] or ""), float(tolerance))
+        else:
+            harmless(decoded(each[2]))
+            yield Answer(share, unescape(decoded(each[2])), decoded(each[4] or ""))
+        rest = rest[each.end() :]
+        assert not rest or rest[0] == "~"
+        rest = rest[1:]
 
 
 def decoded(text: str) -> str:
-    """Return a text of a gap as Moodle stores it."""
+    """Return the HTML that Moodle makes of a text in a gap."""
     return unescape(text).replace("\\}", "}").replace("\\#", "#")
 
 

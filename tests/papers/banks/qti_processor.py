@@ -75,11 +75,6 @@ class Attempt:
             ]
         if name == "and":
             return False if False in found else None if None in found else True
-        if name == "or":
-            return True if True in found else None if None in found else False
-        if name == "isNull":
-            return found == [None]
-        assert name != "stringMatch" or None not in found, "some systems fail where a blank is compared"
         return None if None in found else compared(name, node, found)
 
 
@@ -90,8 +85,6 @@ def compared(name, node, found):
     one, other = found
     if name == "match":
         return one == other
-    if name == "stringMatch":
-        return one == other if node.get("caseSensitive") == "true" else one.casefold() == other.casefold()
     if name == "equal":
         if node.get("toleranceMode") == "exact":
             return one == other

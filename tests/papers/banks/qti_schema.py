@@ -24,7 +24,7 @@ BLOCKS = "blockquote|div|dl|h1|h2|h3|h4|h5|h6|hr|math|ol|p|pre|table|ul"
 BODY = f"(?:(?:{BLOCKS}|rubricBlock|choiceInteraction|extendedTextInteraction) )*"
 FLOW = f"(?:(?:{INLINE}|{BLOCKS}|{INTERACTIVE}) )*"
 LINE = f"(?:(?:{INLINE}|{INTERACTIVE}) )*"
-CONDITION = "(?:equal|match|and|or|stringMatch|isNull) "
+CONDITION = "(?:equal|match|and) "
 EXPRESSION = "(?:variable|correct|baseValue|sum|multiple|testVariables) "
 RULE = "(?:responseCondition|setOutcomeValue) "
 
@@ -88,10 +88,7 @@ QTI_MODELS = {
     "setOutcomeValue": Model(EXPRESSION, "identifier"),
     "equal": Model(f"(?:{EXPRESSION}){{2}}", "toleranceMode", "tolerance includeLowerBound includeUpperBound"),
     "match": Model(f"(?:{EXPRESSION}){{2}}"),
-    "stringMatch": Model(f"(?:{EXPRESSION}){{2}}", "caseSensitive", "substring"),
-    "isNull": Model(EXPRESSION),
     "and": Model(f"(?:{CONDITION})+"),
-    "or": Model(f"(?:{CONDITION})+"),
     "sum": Model(f"(?:{EXPRESSION})+"),
     "multiple": Model(f"(?:{EXPRESSION})*"),
     "variable": Model("", "identifier", "weightIdentifier"),

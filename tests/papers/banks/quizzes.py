@@ -17,7 +17,6 @@ from solver.papers.export.quiz import (
     Number,
     Picture,
     Quiz,
-    Spelling,
     Text,
     Wrong,
 )  # fmt: skip
@@ -74,7 +73,7 @@ STABLE = Asked(
 )  # fmt: skip
 MARGIN = Asked(
     "margin", "g", "the gain margin", "", Fraction(1),
-    ((Fixed("g ="), Spelling("g", "g", ("inf", "infinity", "∞"), Fraction(1))),),
+    ((Fixed("g ="), number("g", "999999")),),
 )  # fmt: skip
 FRACTION = Asked(
     "G", "G", "the transfer function", "The denominator is monic.", Fraction(3),

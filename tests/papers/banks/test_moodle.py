@@ -8,11 +8,11 @@ from html import unescape
 
 import pytest
 
-from solver.papers.export.cloze import gap, share_of, weights_of
+from solver.papers.export.cloze import gap, hint, share_of, weights_of
 from solver.papers.export.moodle import moodle_xml
-from solver.papers.export.quiz import Asked, Choice, Content, Group, Item, Number, Quiz, Spelling, Text, Wrong
+from solver.papers.export.quiz import Asked, Choice, Content, Essay, Group, Item, Number, Quiz, Text, Wrong
 from tests.papers.banks.making import items_of, quiz_with
-from tests.papers.banks.moodle_reader import FRACTIONS, gaps_of, read_moodle
+from tests.papers.banks.moodle_reader import FRACTIONS, gaps_of, harmless, read_moodle
 from tests.papers.banks.quizzes import HOSTILE
 from tests.papers.banks.test_fields import GAIN
 
@@ -124,26 +124,43 @@ def number(key, marks=Fraction(1), wrong=()):
     return Number(key, key, Decimal("0.666666666667"), Decimal("0.005"), marks, "0.67", tuple(wrong))
 
 
-def test_signs_that_end_a_gap_do_not():
-    hint = 'Not $\\frac{a}{b} \\sim \\{c\\}$ & ~ } { # \\\\ / " <b> ='
-    wrong = Wrong(Decimal("-1.5"), Decimal("0.05"), Fraction(1, 2), hint)
-    for field in (
-        number("f", wrong=[wrong]),
-        Choice("f", "f", ("a}~#b", "=c{&", "%50%d"), 1, Fraction(1)),
-        Spelling("f", "f", ("{}", "a~b", "∞"), Fraction(1)),
-    ):
-        found = gaps_of(f"before {gap(field, 3)} between {gap(field, 1)} after }}")
-        assert [each.weight for each in found] == [3, 1]
-        if isinstance(field, Number):
-            share, told = found[0].marked("-1.52")
-            assert share == 50
-            assert r"\frac{a}{b}" in told
-            assert "~ } { #" in told
-        elif isinstance(field, Choice):
-            assert [unescape(each.text) for each in found[0].answers] == list(field.words)
-            assert found[0].right == [found[0].answers[1].text]
-        else:
-            assert found[0].right == list(field.right)
+HINT = 'Not $\\frac{a}{b} \\sim \\{c\\} x < y$ & ~ } { # {#1} \\\\ / " <b> &lt; *one* **two** =\\\\'
+
+
+def test_a_hint_in_a_gap_is_the_same_html_as_in_a_question_of_one_number():
+    wrong = Wrong(Decimal("-1.5"), Decimal("0.05"), Fraction(1, 2), HINT)
+    field = number("f", wrong=[wrong])
+    found = gaps_of(f"before {gap(field, 3)} between {gap(field, 1)} after }}")
+    assert [each.weight for each in found] == [3, 1]
+    share, told = found[0].marked("-1.52")
+    assert share == 50
+    assert unescape(told) == unescape(hint(HINT))
+    assert r"\(\frac{a}{b} \sim \{c\} x < y\)" in unescape(told)
+    harmless(told)
+
+
+@pytest.mark.parametrize("words", [("a}~#b", "=c{&", "%50%d"), ("yes", "no & <never>", "'both' #1 &lt; \\")])
+def test_words_in_a_gap_are_words(words):
+    (found,) = gaps_of(f"before {gap(Choice('f', 'f', words, 1, Fraction(1)), 3)} after }}")
+    assert [each.text for each in found.answers] == list(words)
+    assert found.right == [words[1]]
+
+
+SPACED = Content(
+    (Text("**one** *two* `three` $x < y$ **four** and {#1} {2:SA:=x}, ]]> done.\n\n    a = 1\n    b & c"),)
+)
+
+
+def test_no_space_between_tags_is_lost():
+    items = [Item(f"q-{key}", "q", SPACED, SPACED, Fraction(1), (Asked("x", "x", "", "", Fraction(1), (
+        tuple(number(f"f-{i}") for i in range(count)),)),)) for key, count in (("a", 1), ("b", 2))]  # fmt: skip
+    items.append(Item("q-c", "q", SPACED, SPACED, Fraction(1), (), Essay((), SPACED, {})))
+    for each in read_moodle(moodle_xml(Quiz("Q", "", "en", (Group(("Q", "1"), tuple(items)),)))):
+        for html in filter(None, (each.text, each.feedback, each.key)):
+            assert "<strong>one</strong> <em>two</em> <code>three</code>" in html
+            assert "</strong> and " in html
+            assert "]]&gt; done" in html
+            assert "a = 1\nb &amp; c" in html
 
 
 def test_hostile_names_stay_texts():
