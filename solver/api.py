@@ -79,7 +79,8 @@ def check(
 ) -> Marked:
     """Mark a student's answers to a problem, both given as `solve` takes a problem.
 
-    The answers may also be a mapping, `{"b": {"K": [13, 8]}}`, of numbers, texts, lists and truth values. Answers to an
+    The answers may also be a mapping, `{"b": {"K": [13, 8]}}`, of numbers, texts, lists and truth values, or one with
+    the keys of an answer file. Answers to an
     exam are marked by `solver.check_exam`.
     Raises `solver.problem.source.InputError` if the problem or the answer file is at fault; a value that cannot be read
     is not judged.
@@ -137,8 +138,9 @@ def source_of(given: str | Path | Mapping[str, Any]) -> Source:
 
 
 def _answers(given: Mapping[str, Any]) -> Source:
-    """Return answers as the text of a file."""
-    return source_of_data({"answers": given}, "<answers>")
+    """Return answers as the text of a file, of which they may have the keys."""
+    whole = isinstance(given.get("answers"), Mapping)
+    return source_of_data(given if whole else {"answers": given}, "<answers>")
 
 
 __all__ = ["Document", "check", "solve"]

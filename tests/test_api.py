@@ -47,6 +47,22 @@ def test_a_mapping_is_solved():
     assert marked.marks == Fraction(7, 2)
 
 
+def test_answers_as_a_mapping_may_have_the_keys_of_a_file():
+    asked = {"system": {"A": [[0, 1], [0, 0]], "B": [0, 1]}, "find": {"a": "controllability"}}
+    marked = solver.check(asked, {"student": "Ada", "answers": {"a": {"rank": 2}, "a.controllable": True}})
+    assert {name: str(each.verdict) for name, each in marked.parts["a"].answers.items()} == {
+        "rank": "correct",
+        "controllable": "correct",
+    }
+
+
+@pytest.mark.parametrize("answers", [{}, {"a": {"rank": "9" * 30000}}])
+def test_what_cannot_be_read_of_a_mapping_is_told(answers):
+    asked = {"system": {"A": [[0, 1], [0, 0]], "B": [0, 1]}, "find": {"a": "controllability"}}
+    with pytest.raises(InputError, match=r"no part of the problem is answered|longer than"):
+        solver.check(asked, answers)
+
+
 @pytest.mark.parametrize(
     ("problem", "told"),
     [

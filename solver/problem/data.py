@@ -26,12 +26,16 @@ class Data(Source):
         return False
 
     @cached_property
-    def _root(self) -> Node:
-        return parse_yaml(self)
+    def _root(self) -> Node | None:
+        """The tree of the text; None where it is too long or too deep for one."""
+        try:
+            return parse_yaml(Source(self.name, self.text))
+        except InputError:
+            return None
 
     def where(self, line: int, column: int) -> str:
         """Return where a place is."""
-        path = _path(self._root, (line, column), "")
+        path = _path(self._root, (line, column), "") if self._root is not None else ""
         return f"{self.name}: at {path}" if path else self.name
 
 

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import codecs
+import re
 import stat
 from pathlib import Path
 
 from solver.problem.source import Diagnostic, InputError, Source, did_you_mean
 from solver.problem.yaml_tree import MAX_BYTES
 
+_CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\x81\x8d\x8f\x90\x9d]")
+"""Bytes that stand in no text of Windows-1252."""
 
-def load(path: str | Path) -> Source:
-    """Return the text of a regular file of at most 256 KB in UTF-8; raises InputError for anything else."""
+
+def load(path: str | Path, *, legacy: bool = False) -> Source:
+    """Return the text of a regular file of at most 256 KB in UTF-8; raises InputError for anything else.
+
+    With `legacy` it may be in UTF-16 with its mark, or in Windows-1252, as editors of Windows save it.
+    """
     name = str(path)
     try:
-        return Source(name, _decoded(name, _content(Path(path), name)))
+        return Source(name, _decoded(name, _content(Path(path), name), legacy=legacy))
     except FileNotFoundError:
         similar = _similar(Path(path))
         raise _refused(name, "there is no such file", similar) from None
@@ -40,10 +48,13 @@ def _content(path: Path, name: str) -> bytes:
     return content
 
 
-def _decoded(name: str, content: bytes) -> str:
+def _decoded(name: str, content: bytes, *, legacy: bool) -> str:
+    marked = legacy and content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
-        return content.decode("utf-8-sig")
+        return content.decode("utf-16" if marked else "utf-8-sig")
     except UnicodeDecodeError as error:
+        if legacy and not marked and not _CONTROL.search(content):
+            return content.decode("cp1252")
         before = content[: error.start].decode("utf-8", "replace").removeprefix("\ufeff")
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         message = f"it is not a text in UTF-8 (byte {content[error.start]:#04x})"

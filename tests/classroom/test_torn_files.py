@@ -2,6 +2,7 @@
 
 import pytest
 
+from solver.classroom.reading.files import load_submitted
 from solver.problem.source import InputError
 from tests.helpers.marked import marked
 
@@ -54,6 +55,14 @@ def verdicts(text):
         "  a):\n    K: [14, 4]\n" + P,
         "  Part a:\n    • K: [14, 4]\n" + P,
         "  a:\n    K: [14, 4]\n    K: [14, 4]\n" + P,
+        "  a: {K: [14, 4]}\n  a: {polynomial: s^2 + 9s + 20}\n",
+        "  a: {K: [14, 4]}\n  a:\n" + P,
+        "  a:\n    K: [14, 4]\n  a:\n" + P,
+        "  a: {K: [14, 4], polynomial: s^2 + 9s + 20},\n",
+        "  a.K: [14, 4]\n  a.polynomial: s^2 + 9s + 20\n",
+        "  a) K: [14, 4]\n  a: {polynomial: s^2 + 9s + 20}\n",
+        "  a：{K：[14， 4]， polynomial：s^2 + 9s + 20}\n",
+        "  a:\n    K: [14, 4]\n    my remark: by Ackermann: see page 2\n" + P,
     ],
 )
 def test_what_can_be_read_in_one_way_is(part):
@@ -117,3 +126,42 @@ def test_blocks_of_code_and_ends_of_lines_of_other_systems_are_read():
 def test_of_a_part_that_is_given_twice_what_was_given_twice_is_not_judged():
     found = verdicts(f"{HEAD}  a:\n    K: [14, 4]\n{P}  a:\n    K: [1, 1]\n{END}")
     assert found == {"a.K": "not judged", "a.polynomial": "correct", "b.controllable": "correct"}
+
+
+def test_of_three_of_one_part_all_count_and_of_three_values_none():
+    parts = ("polynomial: s^2 + 9s + 20", "K: [14, 4]", "closed_loop_A: [[0, 1], [-20, -9]]")
+    found = verdicts(HEAD + "".join(f"  a: {{{part}}}\n" for part in parts))
+    assert found == {"a.K": "correct", "a.polynomial": "correct", "a.closed_loop_A": "correct"}
+    found = verdicts(f"{HEAD}  a: {{K: [14, 4]}}\n  a: {{K: [1, 4]}}\n  a: {{K: [14, 4]}}\n")
+    assert found == {"a.K": "not judged"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a:\n  K: [14, 4]\nb: {controllable: yes}\n",
+        "answers:\na:\n  K: [14, 4]\nb: {controllable: yes}\n",
+        "answers:\n  a:\n    K: [14, 4]\nb: {controllable: yes}\n",
+        "answers:\n  a:\n    K: [14, 4]\nanswers:\n  b: {controllable: yes}\n",
+    ],
+)
+def test_parts_that_do_not_stand_below_the_answers_are_read(text):
+    assert verdicts(f"student: Ada\n{text}") == {"a.K": "correct", "b.controllable": "correct"}
+
+
+def test_a_part_below_the_answers_and_beside_them_is_not_guessed():
+    assert verdicts("answers:\n  a: {K: [14, 4]}\na: {K: [1, 1]}\n") == {"a.K": "correct"}
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig", "cp1252"])
+def test_files_in_the_encodings_of_windows_are_read(encoding, tmp_path):
+    (tmp_path / "a.yaml").write_bytes(f"student: Jörg\n{HEAD[13:]}  a: {{polynomial: s² + 9s + 20}}\n".encode(encoding))
+    source = load_submitted(tmp_path / "a.yaml")
+    assert source.text.startswith("student: Jörg\n")
+    assert verdicts(source.text) == {"a.polynomial": "correct"}
+
+
+def test_what_is_no_text_is_not_taken_for_one(tmp_path):
+    (tmp_path / "a.yaml").write_bytes(b"PK\x03\x04\xe4\x00")
+    with pytest.raises(InputError, match="not a text in UTF-8"):
+        load_submitted(tmp_path / "a.yaml")

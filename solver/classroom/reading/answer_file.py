@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from solver.classroom.reading.keys import as_meant, joined, told_by_name
+from solver.classroom.reading.keys import as_meant, joined, told_by_name, with_parts
 from solver.classroom.reading.quoting import quoted
 from solver.problem.model import Problem
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode
@@ -42,7 +42,7 @@ def node_naming(source: Source, key: str) -> ScalarNode | None:
 
 def read_submission(source: Source, problem: Problem) -> Submission:
     """Return the answers of a file to a problem; raises InputError where it names no part of it."""
-    root = root_of_answers(source)
+    root = _with_answers(root_of_answers(source), [part.id for part in problem.parts])
     report, shapeless = Report(), Report()
     report_unknown(root, KEYS, report)
     answers: Mapping[str, Mapping[str, Node]] = {}
@@ -52,9 +52,27 @@ def read_submission(source: Source, problem: Problem) -> Submission:
             raise (listed or root).fault("'answers:' must list the answers of each part: a: {K: [1, 2]}")
     else:
         answers = answers_in(listed, problem, report)
+        if not answers and not report.diagnostics:
+            report.diagnostics.append(listed.diagnostic("no part of the problem is answered here"))
     if shapeless.diagnostics or not answers:
         raise InputError(source, [*report.diagnostics, *shapeless.diagnostics])
     return Submission(source, student_in(root), answers, tuple(report.diagnostics))
+
+
+def _with_answers(root: MappingNode, parts: Collection[str]) -> MappingNode:
+    """The tree of a file with the parts that stand beside `answers`, or without it, below it."""
+    beside = {key: entry for key, entry in as_meant(root, parts).entries.items() if key in parts and key not in KEYS}
+    listed = root.get("answers")
+    if not beside or not (listed is None or isinstance(listed, MappingNode) or is_blank(listed)):
+        return root
+    inside = as_meant(listed, parts).entries if isinstance(listed, MappingNode) else {}
+    if beside.keys() & inside.keys():
+        return root
+    places = {entry.key.place for entry in beside.values()}
+    key = root.entries["answers"].key if listed is not None else next(iter(beside.values())).key
+    others = {name: entry for name, entry in root.entries.items() if entry.key.place not in places}
+    key = ScalarNode(key.place, "answers")
+    return MappingNode(root.place, others | {"answers": Entry(key, MappingNode(key.place, {**inside, **beside}))})
 
 
 def report_unknown(root: MappingNode, known: Sequence[str], report: Report) -> None:
@@ -70,7 +88,8 @@ def answers_in(listed: MappingNode, problem: Problem, report: Report) -> Mapping
     """Return the values submitted for each part of a problem; what names no part or answer of it is reported."""
     answers: dict[str, Mapping[str, Node]] = {}
     ids = [part.id for part in problem.parts]
-    for entry in as_meant(listed, ids):
+    names = {part.id: tuple(catalogue()[part.task].answers) for part in problem.parts}
+    for entry in with_parts(as_meant(listed, ids), names):
         with report:
             answers[entry.key.text] = _part(entry.key, entry.value, problem, report)
     return answers

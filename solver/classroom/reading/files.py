@@ -26,7 +26,7 @@ def load_submitted(path: Path) -> Source:
     if path.is_symlink() and not path.resolve().is_relative_to(path.parent.resolve()):
         message = "it is a link that leads out of its folder, and is not followed"
         raise InputError(Source(str(path), ""), [Diagnostic(message, note="put the file itself there")])
-    return load(path)
+    return load(path, legacy=True)
 
 
 def is_filled(path: Path) -> bool:

@@ -1,15 +1,21 @@
-"""The keys of an answer file as they are meant: `A`, `a)`, `Part a` for a, `Eigenvalues`, `closed-loop A`, `K = …`."""
+"""The keys of an answer file as they are meant: `A`, `a)`, `Part a` for a, `Eigenvalues`, `a.K`, `K = …`.
+
+What stands below one key in two places belongs together; of an answer that is given twice neither value counts.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
+from solver.classroom.reading.quoting import TWICE, UNREADABLE
+from solver.classroom.reading.spelling import typed
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
 
 _AROUND = re.compile(
     r"^[\W_]*(?:(?:part|teil|teilaufgabe|aufgabe|question|frage|exercise|task)[\s_.:]+)?|[^\w'′]+$", re.IGNORECASE
 )
+_OF_PART = re.compile(r"(.*\w)\s*[.):/]+\s*([^\W\d].*)")
 _BETWEEN = re.compile(r"[\s_-]+")
 
 
@@ -20,7 +26,50 @@ def as_meant(node: MappingNode, known: Collection[str]) -> MappingNode:
         meant = _meant(entry.key.text, known)
         key = entry.key.text if meant in node or meant in entries else meant
         entries[key] = entry if key == entry.key.text else Entry(ScalarNode(entry.key.place, key), entry.value)
-    return MappingNode(node.place, entries)
+    return MappingNode(node.place, _together(entries, known))
+
+
+def _together(entries: Mapping[str, Entry], known: Collection[str]) -> dict[str, Entry]:
+    """Entries with what stands below a key that is given once more below the first one."""
+    found: dict[str, Entry] = {}
+    for key, entry in entries.items():
+        name = _meant(key.partition(TWICE)[0], known)
+        if name != key and name in found:
+            first = found[name]
+            found[name] = Entry(first.key, _both(first.value, entry.value))
+        else:
+            found[key] = entry
+    return found
+
+
+def _both(one: Node, other: Node) -> Node:
+    """Two mappings as one; other values that differ as what cannot be read."""
+    if isinstance(one, MappingNode) and isinstance(other, MappingNode):
+        entries = dict(one.entries)
+        for key, entry in other.entries.items():
+            value = _both(entries[key].value, entry.value) if key in entries else entry.value
+            entries[key] = Entry(entry.key, value)
+        return MappingNode(one.place, entries)
+    blank, empty = (isinstance(each, ScalarNode) and not each.text.strip() for each in (one, other))
+    if blank or empty or typed(one) == typed(other):
+        return other if blank else one
+    return ScalarNode(one.place, f"{UNREADABLE}given twice: {typed(one)}; {typed(other)}", "quoted")
+
+
+def with_parts(listed: MappingNode, answers: Mapping[str, Collection[str]]) -> MappingNode:
+    """Return a mapping of parts with `a.K: …` and `a) K: …` below their parts; `answers` are the names in each part."""
+    found = dict(listed.entries)
+    for key, entry in listed.entries.items():
+        told = _OF_PART.fullmatch(key) if key not in answers else None
+        part = _meant(told[1], answers) if told else ""
+        name = _meant(told[2], answers[part]) if told and part in answers else ""
+        before = found[part].value if part in found else None
+        if part not in answers or name not in answers[part] or not isinstance(before, MappingNode | None):
+            continue
+        inside = MappingNode(entry.key.place, {name: Entry(ScalarNode(entry.key.place, name), entry.value)})
+        found[part] = Entry(ScalarNode(entry.key.place, part), inside if before is None else _both(before, inside))
+        del found[key]
+    return MappingNode(listed.place, found)
 
 
 def _meant(text: str, known: Collection[str]) -> str:

@@ -8,6 +8,7 @@ column. Lines keep their numbers.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
 
@@ -26,11 +27,17 @@ _BLOCK = re.compile(r"[|>][+-]?\d?[+-]?\s*(?:#.*)?")
 _REMARK = re.compile(r"(.*?)( +#.*)?", re.DOTALL)
 _PROSE = re.compile(r"(?=.*[^\W\d_]{3,}\s+[^\W\d_]{2,})[^\d=:\[\](){}]*")
 _LEFT = re.compile(r"(?<=\s)(?=\S)|^(?=\S)")
+_TOLD = re.compile(r"(?<= )([^\W\d_]{2,}(?: [^\W\d_]{2,}){1,5}) *: +(?=\S)")
+"""What a remark is called by: "my remark: …"."""
+_WIDE = re.compile("[：，] ?")
+"""The colon and the comma of Chinese keyboards."""
 _QUOTES = "'\""
 _PLACES = ("answers", "problem", "exam")
 """Keys of a file that are read as they are: what all answers hang on is not guessed."""
 PART = 3
 """Columns of keys that are open where the answers of a part stand: of `answers`, of the part, of the answer."""
+TWICE = "_given_twice"
+"""Stands behind a key that is there already."""
 UNREADABLE = "… "
 """What no reader of values knows stands before those that are none."""
 
@@ -48,11 +55,12 @@ def quoted(source: Source) -> Source | None:
 
 
 def _seen(line: str) -> str:
-    """A line without invisible characters, and without what marks a block of code."""
+    """A line without invisible characters, wide signs and what marks a block of code."""
     if _FENCE.fullmatch(line):
         return ""
     inside = line.lstrip("\t \u00a0")
     before = line[: len(line) - len(inside)].replace("\t", "  ").replace("\u00a0", " ")
+    inside = _WIDE.sub(lambda found: ": " if found[0][0] == "：" else ", ", inside)
     return before + FORBIDDEN.sub(lambda found: " " if found[0] == "\t" else "", inside)
 
 
@@ -70,6 +78,8 @@ def _in_columns(lines: Sequence[str]) -> Iterator[str]:
             line = " " * column + line.lstrip(" ")
             columns = [*(before for before in columns if before < column), column]
             opens = not value or value.startswith("#") or _BLOCK.fullmatch(value) is not None
+        elif not opens and len(columns) >= PART and _indentation(line) == columns[-1]:
+            line = _TOLD.sub(lambda found: found[1].replace(" ", "_") + ": ", line, count=1)
         yield line
 
 
@@ -104,9 +114,10 @@ def _entries(lines: Sequence[str]) -> Iterator[list[str]]:
 
 
 def _once(entries: list[list[str]]) -> list[list[str]]:
-    """Entries of which no two have one key in one place: of two values neither counts, a part's second one is none."""
+    """Entries of which no two have one key in one place: of two values neither counts, a mapping gets another key."""
     path: list[tuple[int, str]] = []
     known: dict[tuple[str, ...], int] = {}
+    again: Counter[tuple[str, ...]] = Counter()
     for i, (first, *rest) in enumerate(entries):
         found = _KEY.fullmatch(first)
         if found is None:
@@ -117,13 +128,14 @@ def _once(entries: list[list[str]]) -> list[list[str]]:
         if earlier == i:
             continue
         before, value = _value(entries[earlier]), _value(entries[i])
-        if before and value:
+        if before and value and not all(enclosed(each, "{}") and ":" in each for each in (before, value)):
             entries[i] = [""] * (1 + len(rest))
             if before != value:
                 told = f"{UNREADABLE}given twice: {before}; {value}"
                 entries[earlier] = [f"{found[1]}{found[2]}: {_in_quotes(told)}", *[""] * (len(entries[earlier]) - 1)]
         else:
-            entries[i] = [f"{found[1]}{found[2]}_given_twice: {value}", *rest]
+            again[place] += 1
+            entries[i] = [f"{found[1]}{found[2]}{TWICE * again[place]}: {value}", *rest]
     return entries
 
 
@@ -144,6 +156,8 @@ def _entry(lines: Sequence[str]) -> list[str]:
     value, remark = _remarked(found[3] or "")
     if _BLOCK.fullmatch(value):
         return _block(head, before, rest)
+    if value.endswith(("},", "],")):
+        first = f"{head} {value[:-1]}{remark}"
     below = [" " * max(0, before + 1 - _indentation(line)) + line if line.strip() else line for line in rest]
     if _stands("\n".join([first, *below])):
         return [first, *below]
