@@ -145,8 +145,6 @@ def _varied(node: Node, parameters: Node | None, report: Report) -> tuple[Varied
 def _values(name: str, entry: Entry) -> Varied:
     """Return what a name is drawn from; raises Fault."""
     node = entry.value
-    if isinstance(node, MappingNode) and "choose" in node and ("from" in node or "to" in node):
-        raise node.fault("'choose' lists the values, 'from' and 'to' bound them: give one or the other")
     if isinstance(node, MappingNode) and "choose" in node:
         values, texts = _chosen(node["choose"])
     elif isinstance(node, MappingNode):

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
 from solver.problem import elements, shape
 from solver.problem.nodes import MappingNode, Node, SequenceNode
-from solver.problem.source import Diagnostic, did_you_mean
+from solver.problem.source import Diagnostic, did_you_mean, surplus
 from solver.systems import kinds
 
 Path = tuple[str | int, ...]
@@ -29,6 +29,13 @@ MODELS: Mapping[str | int, type[BaseModel]] = {
 }
 """The models by the names of alternatives, and by keys, as these stand in the location of an error."""
 
+ALTERNATIVES: Sequence[Sequence[type[BaseModel]]] = (
+    tuple(shape.SYSTEMS.values()),
+    tuple(shape.DRAWN.values()),
+    (elements.ZerosPolesGain, elements.Fraction),
+)
+"""Models of mappings of which one stands in one place; which one, some of its keys tell."""
+
 EXPECTED = {
     "string_type": "a number or a text",
     "list_type": "a list",
@@ -40,11 +47,20 @@ EXPECTED = {
 
 @dataclass(frozen=True)
 class Misshapen:
-    """Something wrong with the shape: the path of keys to it, and words. A `surplus` key leaves the rest readable."""
+    """Something wrong with the shape: the path of keys to it, and words.
+
+    A `surplus` key leaves the rest readable; one that is needed may be `absent`.
+    """
 
     path: Path
     diagnostic: Diagnostic
     surplus: bool = False
+    absent: bool = False
+
+    @property
+    def meant(self) -> Path:
+        """The path to the key probably meant by the last one."""
+        return (*self.path[:-1], self.diagnostic.suggestion)
 
     def spoils(self, path: Path) -> bool:
         """Whether what stands at the path can't be read because of it."""
@@ -69,8 +85,24 @@ def check_shape(
     try:
         whole.model_validate(root.plain())
     except ValidationError as error:
-        return [_explained(root, each, whole, what, within) for each in error.errors(include_url=False)]
+        return _once([_explained(root, each, whole, what, within) for each in error.errors(include_url=False)])
     return []
+
+
+def _once(found: Sequence[Misshapen]) -> list[Misshapen]:
+    """Return what is wrong, each slip once: a key that is missing may be there, misspelt; keys may be strange together.
+
+    A misspelt one is then the key that is needed, without which the rest cannot be read.
+    """
+    missing = {each.path for each in found if each.absent}
+    misspelt = {path for each in found if each.surplus and (path := each.meant) in missing}
+    first = {(each.path[:-1], each.diagnostic.message): each for each in reversed(found)}
+    told = [each for each in found if each is first[each.path[:-1], each.diagnostic.message]]
+    return [
+        replace(each, surplus=each.surplus and each.meant not in misspelt)
+        for each in told
+        if not (each.absent and each.path in misspelt)
+    ]
 
 
 def _explained(
@@ -94,7 +126,7 @@ def _explained(
         at = _key(node, (*path, context["key"]))
         return Misshapen((*path, context["key"]), at.diagnostic(error["msg"], context.get("suggestion", "")))
     if kind == "missing":
-        return Misshapen((*path, location[-1]), _missing(node, path, str(location[-1]), what))
+        return Misshapen((*path, location[-1]), _missing(node, path, str(location[-1]), what), absent=True)
     return Misshapen(path, node.diagnostic(*_words(error, node)))
 
 
@@ -117,12 +149,10 @@ def _key(mapping: Node, path: Path) -> Node:
 
 def _unknown(key: str, model: type[BaseModel], parent: Node) -> tuple[str, str]:
     """Return the message for a key that the model does not know, and the key probably meant."""
-    present = parent.entries if isinstance(parent, MappingNode) else {}
-    tells = next((name for name in kinds() if name in model.model_fields), "")
-    others = (known for kind in kinds().values() for known in kind.keys)
-    if tells and any(key == other.name for other in others):
-        return f"'{key}' cannot stand beside '{tells}'", ""
-    return f"unknown key '{key[:60]}'", did_you_mean(key, (name for name in model.model_fields if name not in present))
+    present = list(parent.entries) if isinstance(parent, MappingNode) else []
+    own = [*(name for name in kinds() if name in model.model_fields), *model.model_fields]
+    alike = next((each for each in ALTERNATIVES if model in each), ())
+    return surplus(key, present, own, [name for other in alike for name in other.model_fields])
 
 
 def _missing(node: Node, path: Path, key: str, what: str) -> Diagnostic:

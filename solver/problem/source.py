@@ -5,7 +5,7 @@ Lines and columns count from 1, columns in characters. Line 0 stands for the fil
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cached_property
@@ -128,6 +128,19 @@ class Report:
         """Raise one fault with everything collected, if there is anything."""
         if self.diagnostics:
             raise Fault(*self.diagnostics)
+
+
+def surplus(key: str, present: Sequence[str], own: Sequence[str], others: Collection[str] = ()) -> tuple[str, str]:
+    """Return the message for a key of a mapping that is none of its `own`, and the key probably meant.
+
+    `present` are all keys of the mapping; `others` are those of mappings that could stand in its place: strange to this
+    one, they are told together.
+    """
+    tells = next((name for name in own if name in present), "")
+    if tells and key in others:
+        strangers = [f"'{each}'" for each in present if each in others and each not in own]
+        return f"{' and '.join(strangers)} cannot stand beside '{tells}'", ""
+    return f"unknown key '{key[:60]}'", did_you_mean(key, (name for name in own if name not in present))
 
 
 def did_you_mean(word: str, candidates: Iterable[str]) -> str:

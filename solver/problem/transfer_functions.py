@@ -12,12 +12,14 @@ from solver.problem.matrices import MAX_SIZE
 from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
 from solver.problem.poles import read_conjugate_list
 from solver.problem.rational_functions import Rational, expanded_size, field_degree
-from solver.problem.source import Report, did_you_mean
+from solver.problem.source import Report, surplus
 from solver.symbols import MEANINGS, SAMPLES
 
 MAX_TERMS = 500
 MAX_DEGREE = 80
 MAX_FIELD_DEGREE = 8
+FRACTION = ("numerator", "denominator")
+ZEROS_POLES_GAIN = ("zeros", "poles", "gain")
 ONE_CHANNEL = "it can stand in the transfer function of a system with one input and one output"
 
 
@@ -33,10 +35,10 @@ def read_transfer_function(
     if not isinstance(node, MappingNode):
         given = _from_expression(node, lexicon, variable, discrete)
     elif "numerator" in node or "denominator" in node:
-        _expect_keys(node, ("numerator", "denominator"), required=True)
+        _expect_keys(node, FRACTION, ZEROS_POLES_GAIN, required=True)
         given = _from_coefficients(node, lexicon, variable)
     else:
-        _expect_keys(node, ("zeros", "poles", "gain"), required=False)
+        _expect_keys(node, ZEROS_POLES_GAIN, FRACTION, required=False)
         given = _from_zeros(node, lexicon, variable)
     if given.delay != 0 and not delayed:
         raise node.fault("a quotient of polynomials in s is expected here, without a dead time", note=ONE_CHANNEL)
@@ -49,11 +51,12 @@ def read_transfer_function(
     return given
 
 
-def _expect_keys(node: MappingNode, keys: Sequence[str], required: bool) -> None:
+def _expect_keys(node: MappingNode, keys: Sequence[str], others: Sequence[str], required: bool) -> None:
     """Raise Fault for other keys, and for missing ones where all are required."""
     for entry in node:
         if entry.key.text not in keys:
-            raise entry.key.fault(f"unknown key '{entry.key.text[:60]}'", suggestion=did_you_mean(entry.key.text, keys))
+            message, suggestion = surplus(entry.key.text, list(node.entries), keys, others)
+            raise entry.key.fault(message, suggestion=suggestion)
     for key in keys:
         if required and key not in node:
             raise node.fault(f"'{key}' is missing here")
@@ -97,7 +100,7 @@ def _pair(p: sp.Expr, q: sp.Expr, x: sp.Symbol, node: Node) -> tuple[sp.Poly, sp
 def _from_coefficients(node: MappingNode, lexicon: Lexicon, variable: str) -> Rational:
     report = Report()
     coefficients: list[list[sp.Expr]] = []
-    for key in ("numerator", "denominator"):
+    for key in FRACTION:
         with report:
             coefficients.append(_coefficients(node[key], key, lexicon))
     report.conclude()

@@ -69,7 +69,8 @@ def test_equations_and_chains_are_conditions(read, written, signs):
 @pytest.mark.parametrize(
     ("text", "wrong"),
     [
-        ("vary: {a: {frm: 1, to: 9}}", ["4:11-26 'from' is missing here", "4:12-15 unknown key 'frm'"]),
+        ("vary: {a: {frm: 1, to: 9}}", ["4:12-15 unknown key 'frm'"]),
+        ("vary: {a: {frm: 1}}", ["4:11-19 'to' is missing here", "4:12-15 unknown key 'frm'"]),
         ("vary: {a: 3}",
          ["4:11-12 what is drawn from, {from: 1, to: 9} or {choose: [1, 2, 5]}, is expected here, not 3"]),
         ("vary: {}", ["4:7-9 nothing is drawn here"]),
@@ -81,9 +82,10 @@ def test_equations_and_chains_are_conditions(read, written, signs):
         ("vary: {a: {from: b, to: 9}}", ["4:18-19 a number is expected here, not b"]),
         ("vary: {a: {choose: [1, 1]}}", ["4:24-25 '1' is in the list already"]),
         ("vary: {a: {choose: [1]}}", ["4:11-24 'a' has one value only: leave it to 'parameters'"]),
-        ("vary: {a: {from: 1, to: 3, choose: [1]}}",
-         ["4:11-40 'choose' lists the values, 'from' and 'to' bound them: give one or the other",
-          "4:12-16 unknown key 'from'", "4:21-23 unknown key 'to'"]),
+        ("vary: {a: {from: 1, to: 3, choose: [1, 2]}}",
+         ["4:12-16 'from' and 'to' cannot stand beside 'choose'"]),
+        ("vary: {a: {choose: [1, 2], step: 1, stp: 2}}",
+         ["4:28-32 'step' cannot stand beside 'choose'", "4:37-40 unknown key 'stp'"]),
         ("vary: {a: {from: 1, to: 3, sign: odd}}", ["4:28-32 unknown key 'sign'"]),
         ("require: [controllable]", ["4:10-24 'require' is about a family: 'vary' is missing"]),
         ("vary: {a: {from: 1, to: 9}}\nrequire: [controlable]", ["5:11-22 'controlable' cannot be required"]),
