@@ -8,6 +8,11 @@ from fractions import Fraction
 HUNDRED = 100
 
 
+def rounded(marks: Fraction) -> Fraction:
+    """Return marks to the nearest hundredth, a half of one up."""
+    return Fraction((marks * HUNDRED + Fraction(1, 2)) // 1, HUNDRED)
+
+
 def told_in_hundredths(shares: Sequence[Fraction]) -> list[Fraction]:
     """Return shares in hundredths that add up to what they did, as they are where their sum is not in hundredths."""
     whole = sum(shares, Fraction(0))

@@ -5,8 +5,10 @@ from fractions import Fraction
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.classroom.report.hundredths import dealt, marks_that_add_up
+from solver.classroom.report.hundredths import in_hundredths
+from solver.classroom.report.words import number
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.problem.hundredths import dealt
 
 MARKS = st.fractions(min_value=0, max_value=20, max_denominator=12)
 
@@ -18,14 +20,19 @@ def test_a_third_of_ten_is_dealt_to_the_first():
 @given(st.lists(st.lists(MARKS, max_size=4), max_size=5))
 def test_answers_add_up_to_parts_and_parts_to_the_total(shares):
     marking = Marking("", tuple(part(f"p{i}", each) for i, each in enumerate(shares)))
-    total, parts, answers = marks_that_add_up(marking)
-    assert abs(total - marking.marks) <= Fraction(1, 200)
-    assert sum(parts.values()) == total
-    for each in marking.parts:
-        dealt_out = [answers[each.id, name] for name in each.answers]
-        assert sum(dealt_out) == parts[each.id]
-        for exact, shown in zip((answer.marks for answer in each.answers.values()), dealt_out, strict=True):
-            assert abs(exact - shown) < Fraction(1, 100)
+    told = in_hundredths(marking)
+    assert abs(told.marks - marking.marks) <= Fraction(1, 200)
+    for each, exact in zip(told.parts, marking.parts, strict=True):
+        assert sum(answer.marks for answer in each.answers.values()) == each.marks
+        for name, answer in each.answers.items():
+            assert (answer.marks * 100).denominator == 1
+            assert abs(answer.marks - exact.answers[name].marks) < Fraction(1, 100)
+    assert in_hundredths(told) == told
+
+
+def test_a_half_of_a_hundredth_is_told_upwards_everywhere():
+    told = in_hundredths(Marking("", (part("a", [Fraction(4285, 1000)]),)))
+    assert (number(told.marks), number(Fraction(4285, 1000))) == (4.29, 4.29)
 
 
 def part(name, shares):

@@ -45,7 +45,7 @@ def test_the_question_and_the_plant_are_those_of_the_worked_page():
 
 def test_each_answer_has_what_was_typed_and_its_marks():
     found = results(sheet("answers: {a: {K: [13, 7.0], polynomial: <b>}, b: {eigenvalues: [1], diagonalizable: yes}}"))
-    assert "✗ wrong K 1.67 of 3.33 Typed: [13, 7.0]" in found["K"]
+    assert "✗ wrong K 1.67 of 3.34 Typed: [13, 7.0]" in found["K"]
     assert "? not judged polynomial 0 of 3.33 Typed: &lt;b&gt;" in found["polynomial"]
     assert "closed_loop_A" in found
     assert "not submitted closed_loop_A 0 of 3.33" in found["closed_loop_A"]

@@ -1,6 +1,9 @@
 """Exams in Python: the same bytes as the command line's, and errors with their places as exceptions."""
 
+import csv
+import io
 import json
+import re
 import zipfile
 
 import pytest
@@ -122,6 +125,21 @@ def test_an_exam_and_its_answers_may_be_data(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="Rob"):
         solver.check_exam(SMALL, answers, override=changes.replace("Bob", "Rob"))
     assert "<Cy>: at answers: error: 'answers:' must list" in marked.papers[2].fault
+
+
+def test_sheet_table_and_data_tell_the_same_marks():
+    asked = "task: eigenstructure, answers: [eigenvalues, diagonalizable]"
+    find = f"{{a: {{{asked}, marks: 10}}, b: {{{asked}, marks: 8}}}}"
+    exam = f"exam: E\nquestions:\n  - {{marks: 20, problem: {{system: {{matrix: [[1, 2], [0, 3]]}}, find: {find}}}}}\n"
+    half = {"eigenvalues": [1, 3], "diagonalizable": False}
+    marked = solver.check_exam(exam, {"Ada": {1: {"a": half, "b": half}}})
+    row = next(csv.DictReader(io.StringIO(marked.grades())))
+    shown = re.findall(r'class="marks">([\d.]+) of ([\d.]+)<', marked.sheet("Ada"))
+    of_question, of_a, *a, of_b, of_b1, of_b2 = [earned for earned, _ in shown]
+    assert [of_question, of_a, of_b] == [row["1"], row["1.a"], row["1.b"]] == ["10.01", "5.56", "4.45"]
+    assert (*a, of_b1, of_b2) == ("5.56", "0", "4.45", "0")
+    assert [whole for _, whole in shown] == ["20", "11.11", "5.56", "5.55", "8.89", "4.45", "4.44"]
+    assert [part["marks"] for part in marked.data()[0]["parts"]] == [5.56, 4.45]
 
 
 def test_answers_as_data_say_their_variant():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.words import number
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict
 from solver.render.plain import sympy_text
@@ -17,6 +18,7 @@ def as_json(marking: Marking) -> str:
 
 def as_data(marking: Marking) -> dict[str, Any]:
     """Return the marking as dictionaries, lists, texts and numbers."""
+    marking = in_hundredths(marking)
     head = {"student": marking.student} if marking.student else {}
     totals = {"marks": number(marking.marks), "out_of": number(marking.out_of)}
     parts = [_part_data(part) for part in marking.parts]

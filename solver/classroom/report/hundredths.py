@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 
-from solver.classroom.verdicts import Marking
-from solver.problem.hundredths import HUNDRED, dealt
+from solver.classroom.verdicts import Marking, PartVerdict
+from solver.problem.hundredths import dealt, rounded
 
 
-def marks_that_add_up(marking: Marking) -> tuple[Fraction, Mapping[str, Fraction], Mapping[tuple[str, str], Fraction]]:
-    """Return the total, the marks of the parts by id, and those of the answers by id and name, rounded to hundredths.
+def in_hundredths(marking: Marking) -> Marking:
+    """Return a marking as it is told, on sheets as in tables: its total rounded, and what is earned adding up to it.
 
-    The total is rounded; what is left over of rounding down goes to those that lost most by it.
+    What is left over of rounding down goes to those that lost most by it. What is in hundredths stays as it is.
     """
-    total = _rounded(marking.marks)
-    of_parts = dealt(total, [part.marks for part in marking.parts])
-    answers: dict[tuple[str, str], Fraction] = {}
-    for part, marks in zip(marking.parts, of_parts, strict=True):
-        of_answers = dealt(marks, [answer.marks for answer in part.answers.values()])
-        answers |= {(part.id, name): each for name, each in zip(part.answers, of_answers, strict=True)}
-    return total, {part.id: each for part, each in zip(marking.parts, of_parts, strict=True)}, answers
+    of_parts = dealt(rounded(marking.marks), [part.marks for part in marking.parts])
+    parts = tuple(_part(part, marks) for part, marks in zip(marking.parts, of_parts, strict=True))
+    return replace(marking, parts=parts)
 
 
-def _rounded(marks: Fraction) -> Fraction:
-    """Return marks to the nearest hundredth, a half of one up."""
-    return Fraction((marks * HUNDRED + Fraction(1, 2)) // 1, HUNDRED)
+def _part(part: PartVerdict, marks: Fraction) -> PartVerdict:
+    of_answers = dealt(marks, [answer.marks for answer in part.answers.values()])
+    answers = {
+        name: replace(answer, marks=each) for (name, answer), each in zip(part.answers.items(), of_answers, strict=True)
+    }
+    return replace(part, answers=answers, marks=marks)

@@ -12,6 +12,7 @@ from solver.classroom.alike import SOLUTIONS
 from solver.classroom.marking import Marker
 from solver.classroom.reading.answer_file import Submission
 from solver.classroom.report.highlight import highlighted
+from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.words import number, remarks, to_be_reviewed, verdict_of
 from solver.classroom.same import Same
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
@@ -67,6 +68,7 @@ def render_sheet(
     key: bool = False,
 ) -> str:
     """Return the page to hand back; with `key` the right values too, with a document the worked solution below."""
+    marking = in_hundredths(marking)
     sections, paper = marked_sections(solution, marking, templates, key=key)
     return rendered(
         "sheet.html.jinja",

@@ -7,9 +7,9 @@ import io
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from solver.classroom.report.hundredths import marks_that_add_up
+from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.words import number
-from solver.classroom.verdicts import Marking
+from solver.classroom.verdicts import Marking, PartVerdict
 from solver.messages import Messages
 
 Columns = Sequence[tuple[str, Sequence[str]]]
@@ -39,13 +39,18 @@ def as_csv(rows: Iterable[tuple[str, Marking | None]], columns: Columns, message
 
 
 def _cells(marking: Marking, columns: Columns) -> Iterator[Any]:
-    total, of_parts, of_answers = marks_that_add_up(marking)
+    marking = in_hundredths(marking)
+    parts = {part.id: part for part in marking.parts}
     yield harmless(marking.student)
     for id_, names in columns:
-        there = id_ in of_parts
-        yield from (number(of_answers.get((id_, name), total * 0)) if there else "" for name in names)
-        yield number(of_parts[id_]) if there else ""
-    yield from (number(total), number(marking.out_of))
+        part = parts.get(id_)
+        yield from ("" if part is None else _earned(part, name) for name in names)
+        yield "" if part is None else number(part.marks)
+    yield from (number(marking.marks), number(marking.out_of))
+
+
+def _earned(part: PartVerdict, answer: str) -> int | float:
+    return number(part.answers[answer].marks) if answer in part.answers else 0
 
 
 def harmless(text: str) -> str:

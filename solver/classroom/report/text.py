@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.words import earned, in_a_line, to_be_reviewed, verdict_of
 from solver.classroom.verdicts import Marking, Verdict
 from solver.messages import Messages
@@ -21,6 +22,7 @@ def print_marking(marking: Marking, name: str, console: Console, messages: Messa
     """Print the verdicts of one answer file."""
     from rich.text import Text  # noqa: PLC0415 - rich is needed only to print
 
+    marking = in_hundredths(marking)
     who = f"{name} ({marking.student})" if marking.student else name
     say = messages.say
     console.rule(Text(f"{who}: {say(earned(marking))}"), align="left", style="dim")

@@ -6,13 +6,15 @@ from fractions import Fraction
 
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.document.checks import Say
+from solver.problem.hundredths import rounded
 from solver.render.prose import inline_as_text
 from solver.words import Phrase
 
 
 def number(marks: Fraction) -> int | float:
-    """Return marks as a number of JSON, to two decimals."""
-    return int(marks) if marks.denominator == 1 else round(float(marks), 2)
+    """Return marks as a number of JSON, to two decimals, a half of a hundredth up."""
+    told = rounded(marks)
+    return int(told) if told.denominator == 1 else float(told)
 
 
 def earned(marked: Marking | PartVerdict | AnswerVerdict) -> Phrase:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from solver.classroom import Marking
 from solver.classroom.report.data import as_data
-from solver.classroom.report.hundredths import marks_that_add_up
+from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.table import harmless
 from solver.classroom.report.words import number
 from solver.papers.exam.model import Exam
@@ -100,9 +100,9 @@ def grades_table(exam: Exam, graded: Sequence[Graded]) -> str:
         if each.marking is None:
             writer.writerow([*first, *("" for _ in names), each.status, "", "yes"])
             continue
-        total, of_parts, _ = marks_that_add_up(each.marking)
+        told = in_hundredths(each.marking)
         review = "yes" if needs_review(each, several) else "no"
-        writer.writerow([*first, *_cells(exam, of_parts), number(total), number(each.marking.out_of), review])
+        writer.writerow([*first, *_cells(exam, told), number(told.marks), number(told.out_of), review])
     numbers = {student: place for place, student in enumerate(exam.students, 1)}
     for student in missing(exam, graded):
         writer.writerow(["", harmless(student), numbers[student], *("" for _ in names), "no file", "", "yes"])
@@ -113,7 +113,8 @@ def _parts(question: int, exam: Exam) -> list[str]:
     return [f"{question}.{part.id}" for part in exam.questions[question - 1].problem.parts]
 
 
-def _cells(exam: Exam, of_parts: Mapping[str, Fraction]) -> Iterator[object]:
+def _cells(exam: Exam, marking: Marking) -> Iterator[object]:
+    of_parts = {part.id: part.marks for part in marking.parts}
     for each in exam.questions:
         marks = [of_parts[name] for name in _parts(each.number, exam)]
         yield from map(number, marks)

@@ -92,6 +92,14 @@ def together(student: str, of_questions: Sequence[Marking]) -> Marking:
     return Marking(student, parts, tuple(remark for each in of_questions for remark in each.remarks))
 
 
+def apart(whole: Marking, of_questions: Sequence[Marking]) -> tuple[Marking, ...]:
+    """Return the markings of the questions with what stands in that of the paper, whose parts `together` put there."""
+    parts = iter(whole.parts)
+    return tuple(
+        replace(each, parts=tuple(replace(next(parts), id=part.id) for part in each.parts)) for each in of_questions
+    )
+
+
 def read_as(
     papers: Sequence[ExamSubmission], solutions: Solutions, limits: Limits, templates: Path | None, executor: Executor
 ) -> Iterator[Readings | Exceeded]:

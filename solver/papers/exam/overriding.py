@@ -9,6 +9,7 @@ from pathlib import Path
 from solver.classroom.changed import changed
 from solver.classroom.reading.change_file import Changes, StudentChanges, read_changes
 from solver.papers.exam.grades import Graded
+from solver.papers.exam.marking import apart
 from solver.papers.exam.model import Exam
 from solver.papers.exam.whose import spelt_alike
 from solver.problem.model import Part
@@ -70,8 +71,4 @@ def with_changes(graded: Graded, changes: StudentChanges) -> Graded:
     if graded.marking is None:
         raise ValueError("a file that cannot be read has no marks to change")
     whole = changed(graded.marking, changes)
-    parts, of_questions = iter(whole.parts), []
-    for each in graded.of_questions:
-        of_question = tuple(replace(next(parts), id=part.id) for part in each.parts)
-        of_questions.append(replace(each, parts=of_question))
-    return replace(graded, marking=whole, of_questions=tuple(of_questions))
+    return replace(graded, marking=whole, of_questions=apart(whole, graded.of_questions))

@@ -8,13 +8,14 @@ from pathlib import Path
 from types import MappingProxyType
 
 from solver.classroom import Marking
+from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.sheet import Section, marked_sections
 from solver.classroom.report.words import number, to_be_reviewed
 from solver.document.exam import ExamQuestion
 from solver.document.model import Document
 from solver.engine import Solution
 from solver.papers.exam.grades import Graded
-from solver.papers.exam.marking import Worked
+from solver.papers.exam.marking import Worked, apart
 from solver.papers.exam.model import Exam
 from solver.render.page import rendered
 
@@ -47,7 +48,8 @@ def exam_sheet(
     if graded.marking is None:
         raise ValueError("a file that cannot be read has no sheet")
     questions: list[_Marked] = []
-    for question, marking, solution in zip(exam.questions, graded.of_questions, solutions, strict=True):
+    whole = in_hundredths(graded.marking)
+    for question, marking, solution in zip(exam.questions, apart(whole, graded.of_questions), solutions, strict=True):
         sections, paper = marked_sections(solution, marking, templates, key=key)
         told = ExamQuestion(question.number, question.title, "", paper)
         own = worked.get((graded.variant, question.number))
@@ -59,8 +61,8 @@ def exam_sheet(
         messages,
         exam=exam,
         variant=graded.variant,
-        marking=graded.marking,
+        marking=whole,
         questions=questions,
         number=number,
-        review=to_be_reviewed(graded.marking, messages.say),
+        review=to_be_reviewed(whole, messages.say),
     )
