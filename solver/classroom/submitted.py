@@ -22,7 +22,8 @@ class Submitted:
     """A value as sympy has it (`value`), the same with a symbol for each decimal (`form`), and what these were.
 
     `typed` is what was written, on one line; `respelt` tells that it is read as something it does not literally say.
-    `others` are what else it may mean: at most one of all readings can count.
+    `others` are what else it may mean: at most one of all readings can count. Of vectors, `eigenvalues` are those that
+    they are told to belong to, in their order.
     """
 
     value: Any
@@ -31,6 +32,7 @@ class Submitted:
     typed: str = ""
     respelt: bool = False
     others: tuple[Submitted, ...] = ()
+    eigenvalues: Submitted | None = None
 
     def with_digits(self, least: int) -> Submitted:
         """Return it with the decimals of fewer significant digits as the exact numbers that they are."""

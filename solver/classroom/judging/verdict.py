@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from solver.classroom.judging.entries import all_right, by_items, entrywise, shaped
+from solver.classroom.judging.pairs import arranged
 from solver.classroom.judging.question import Question, checks_of
 from solver.classroom.judging.readings import judged_by_readings
 from solver.classroom.judging.rounding import bounds_are_rounded
@@ -37,6 +39,8 @@ def _judged(question: Question, submitted: Mapping[str, Submitted]) -> dict[str,
     """
     verdicts: dict[str, AnswerVerdict] = {}
     fitting: dict[str, Submitted] = {}
+    answers = question.task.answers
+    submitted = arranged(submitted, rows={name: answers[name].vectors == "rows" for name in submitted})
     for name, each in submitted.items():
         misfit = _misfit(name, each, question)
         if misfit is None:
@@ -49,9 +53,21 @@ def _judged(question: Question, submitted: Mapping[str, Submitted]) -> dict[str,
             if alone.verdict is Verdict.WRONG:
                 verdicts[name] = alone
                 del fitting[name]
-    for name in fitting:
-        verdicts[name] = _verdict(name, fitting, question)
+    for name, each in fitting.items():
+        found = _verdict(name, fitting, question)
+        verdicts[name] = (found.verdict is Verdict.CORRECT and _wrong_pairs(name, each, question)) or found
     return {name: verdicts[name] for name in submitted}
+
+
+def _wrong_pairs(name: str, each: Submitted, question: Question) -> AnswerVerdict | None:
+    """The verdict of vectors of which one is told for another eigenvalue than its own, or for none; None of others."""
+    if each.eigenvalues is None:
+        return None
+    told = {name: replace(each, eigenvalues=None), "eigenvalues": each.eigenvalues}
+    if all(_verdict(one, told, question).verdict is Verdict.CORRECT for one in told):
+        return None
+    entries = shaped(each.value, lambda _: str(Verdict.WRONG))
+    return AnswerVerdict(name, Verdict.WRONG, each.value, Reason("marking/other_eigenvalues"), entries=entries)
 
 
 def _fails(checks: list[Check] | None) -> bool:

@@ -16,6 +16,7 @@ _REMARK = re.compile(
 )
 """What ends without an entry of its own, as j in -1 ± j 2, and what belongs to the entry before: 3 (double)."""
 _ROW = re.compile(r"[;\n]")
+_BETWEEN_ROWS = re.compile(r"\s*,\s*|(?<=\])\s*(?=\[)")
 _CONTINUED = re.compile(r"\.\.\.[ \t]*\n?|(?<=,)[ \t]*\n")
 
 
@@ -88,6 +89,16 @@ def by_spaces(text: str) -> list[str]:
         else:
             at += 1
     return [*pieces, text[start:]] if text else []
+
+
+def cells(matrix: str) -> list[list[str]]:
+    """Return the entries of a matrix in square brackets row by row, of [1 2; 3 4] or [[1, 2], [3, 4]]."""
+    inside = matrix.strip()[1:-1].strip()
+    lines = rows(inside)
+    if len(lines) == 1:
+        pieces = [each.strip() for each in split(inside, _BETWEEN_ROWS)]
+        lines = [each[1:-1] for each in pieces if enclosed(each)] if all(map(enclosed, pieces)) else lines
+    return [[each.strip() for each in (split(line, ",") if "," in line else by_spaces(line))] for line in lines]
 
 
 def _separates(text: str, at: int, end: int) -> bool:

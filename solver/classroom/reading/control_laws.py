@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from solver.classroom.reading.brackets import by_spaces, enclosed, matching, split
+from solver.classroom.reading.linear_sums import coefficients, terms
 
 _LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$", re.DOTALL)
 _STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
@@ -12,8 +13,6 @@ _REFERENCE = re.compile(r"\s*\+\s*[rvw](?:\([tk]\)|\[k\])?\s*$")
 _BEFORE = re.compile(r"^\s*[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
 _SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
-_TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
-_OUTER = re.compile(r"^\s*([-+]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
 _PARAMETER = re.compile(r"([KT])_?\{?([pPidIDnNvV])\}?\s*=\s*([\d./√]+)\s*(?:s|sec)?")
 _ACTIONS = {"KI": "{}/s", "KD": "{}*s", "TI": "1/({}*s)", "TN": "1/({}*s)", "TD": "{}*s", "TV": "{}*s"}
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
@@ -58,8 +57,8 @@ def coefficients_of(text: str) -> str:
     if found is None:
         return ""
     law = re.sub(r"([kn])\s*-\s*(?=\d)", r"\1-", found[2].strip().rstrip("."))
-    terms, named, before = _terms(law), dict[int, str](), bool(found[1])
-    for term in terms:
+    listed_terms, named, before = terms(law), dict[int, str](), bool(found[1])
+    for term in listed_terms:
         match = _SAMPLE.match(term)
         if match is None:
             return ""
@@ -103,31 +102,10 @@ def _row_beside(law: str, state: str) -> tuple[str, str] | None:
     return ("-" if found[1] else "", f"[{row[1:-1]}]")
 
 
-def _terms(law: str) -> list[str]:
-    """The terms of a sum with their signs."""
-    pieces, start, at = [], 0, 0
-    while at < len(law):
-        if law[at] in "([{":
-            at = matching(law, at) + 1
-        elif law[at] in "+-" and law[start:at].strip() and law[start:at].rstrip()[-1] not in "*/^eE":
-            pieces.append(law[start:at])
-            start, at = at, at + 1
-        else:
-            at += 1
-    return [*pieces, law[start:]]
-
-
 def _coefficients(law: str) -> list[str]:
     """What stands before x1, x2, … in a sum, in their order; nothing where anything else stands there."""
-    outer = ""
-    if (found := _OUTER.match(law)) and matching(law, found.end()) == len(law) - 1:
-        factor = found[1].strip()
-        outer, law = f"({factor}1)*" if factor in ("", "-", "+") else f"({factor})*", law[found.end() + 1 : -1]
-    named: dict[int, str] = {}
-    for term in _terms(law):
-        match = _TERM.match(term)
-        if match is None or "x" in match[2].replace("exp", "") or int(match[3]) in named:
-            return []
-        sign = "-" if match[1] in ("-", "−") else ""
-        named[int(match[3])] = f"{outer}({sign}({match[2] or '1'}))"
-    return [named.get(i, "0") for i in range(1, max(named, default=0) + 1)]
+    named = coefficients(law, "x")
+    if not named or any(not index for _, index in named):
+        return []
+    values = {int(index): value for (_, index), value in named.items()}
+    return [values.get(i, "0") for i in range(1, max(values) + 1)]

@@ -17,7 +17,8 @@ class Expected:
 
     Of an answer that is a `count`, a full one is `most`, where that can be told; a matrix may be made of `vectors`,
     "columns" or "rows"; the items of a list may be expressions that are `zero`, or `intervals`. An
-    expression may be in `signals`. A list that is `continued` holds the first terms of a sequence.
+    expression may be in `signals`. A list that is `continued` holds the first terms of a sequence. Vectors are `paired`
+    with eigenvalues where these are another answer of the task.
     """
 
     name: str = ""
@@ -31,6 +32,7 @@ class Expected:
     intervals: bool = False
     signals: SignalNames | None = None
     continued: bool = False
+    paired: bool = False
 
     @classmethod
     def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
@@ -42,4 +44,5 @@ class Expected:
         kinds = (answer.vectors, answer.zero, answer.intervals)
         signals = answer.signals(given) if answer.signals and given else None
         continued = answer.ordered and answer.numbered
-        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds, signals, continued)
+        paired = bool(answer.vectors) and "eigenvalues" in answers
+        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds, signals, continued, paired)

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 from solver.classroom.reading.brackets import enclosed, split
 from solver.classroom.reading.grids import diagonal_of
-from solver.classroom.reading.labels import SUBSCRIPTS, times_over, twice_named, without_labels
+from solver.classroom.reading.labels import SUBSCRIPTS, twice_named, without_labels
+from solver.classroom.reading.list_texts import times_over
 from solver.classroom.reading.nodes import flat
 from solver.classroom.reading.texts import TextReader
 from solver.problem.nodes import Node, ScalarNode, SequenceNode

@@ -34,17 +34,12 @@ _MULTIPLE = re.compile(
     r"|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
     re.IGNORECASE,
 )
-_OPERAND = r"\s*([-+−±\d./√() ]*[ij]?[\d./√() ]*?)\s*"
-_TIMES = re.compile(rf"{_OPERAND}[x×]{_OPERAND}")
-_TIMES_IN_BRACKETS = re.compile(r"\(\s*([x×]\s*\d+|\d+\s*[x×])\s*\)")
 _INVERTED = re.compile(r"\s*[UR]\w*(?:\(\w\))?\s*/\s*[YXE]")
 _SIMPLE = ("once", "simple", "einfach")
-MOST_SIGNS = 60
 MOST_TIMES = 24
 _NUMBERED = re.compile(r"((?:(?![₀-₉])[^\W\d_])+)_?(\d|[₀-₉])")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
-_COUNTS = tuple(map(str, range(1, 10)))
 _INDEX = re.compile(r"(\d+)\D*$")
 _SHARED = re.compile(
     r"([^\W\d](?:(?![₀-₉])[^\W\d_])*)_?\{?([\d₀-₉](?:[,/]\s*_?[\d₀-₉])+)\}?\s*=\s*([^=]*?)"
@@ -71,6 +66,12 @@ _FOUND_BY = re.compile(r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|charpoly|poly|minre
 _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
 _DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
 _SIMILAR = re.compile(r"\s*(?:(?:T\s*\^[({]?-1[)}]?|inv\(T\)|T\s*\\)\s*\*?\s*(?:A\s*\*?\s*T|B)|C\s*\*?\s*T)\s*")
+_AT_ZERO = re.compile(
+    r"(?:D\s*[-−]\s*|[-−]\s*)C\s*[*·]?\s*(?:A\s*(?:\^\s*[({]?-1[)}]?|⁻¹)|inv\(A\))\s*[*·]?\s*B(?:\s*\+\s*D)?"
+    r"|C\s*\(\s*-\s*A\s*\)\s*\^\s*[({]?-1[)}]?\s*B(?:\s*\+\s*D)?"
+)
+_OF_INVERSE = re.compile(r".*A\s*(?:\^\s*[({]?-1|⁻¹)|.*inv\(A\)")
+"""The gain at s = 0 by the matrices; what else has the inverse of A in it is no such gain."""
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
 _WORDS = re.compile(r"[^\W\d]\w*")
 _DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
@@ -134,6 +135,8 @@ class Labels:
             or _SIMILAR.fullmatch(text)
         ):
             return True
+        if self.name == "dc_gain" and _OF_INVERSE.match(text):
+            return _AT_ZERO.fullmatch(text) is not None
         if _CHANGES.match(text):
             return False
         if _OF_A.fullmatch(text) and "a" not in map(str.lower, self.own):
@@ -145,6 +148,8 @@ class Labels:
 
     def is_of_others(self, text: str) -> bool:
         """Whether a formula has names, and none of them may be what the answer is called."""
+        if self.name == "dc_gain" and _OF_INVERSE.match(text):
+            return False
         words = [each for each in _WORDS.findall(text) if each not in ("π", "pi")]
         names = {_normal("omega" if each[0] == "w" else each) for each in words} - self.others
         if not names:
@@ -260,16 +265,6 @@ def _repeated(item: str) -> list[str]:
 def _times(said: str) -> int:
     """How often a value counts that is said to be double, triple or simple."""
     return 1 if said.endswith(_SIMPLE) else 3 if said.endswith(("triple", "dreifach")) else 2
-
-
-def times_over(item: str) -> tuple[list[str], ...]:
-    """Return what 3 x 2 may be in a list: 3 twice, 2 three times, or the product; nothing of any other item."""
-    found = _TIMES.fullmatch(_TIMES_IN_BRACKETS.sub(r" \1", item)) if len(item) <= MOST_SIGNS else None
-    if found is None or not all(found.groups()):
-        return ()
-    first, second = (each.strip() for each in found.groups())
-    many = [[value] * int(count) for value, count in ((first, second), (second, first)) if count in _COUNTS]
-    return (*many, [item]) if many else ()
 
 
 def _spellings(answer: AnswerName) -> set[str]:

@@ -42,6 +42,11 @@ _THEN = re.compile(r"\s*(?:→|->|,?\s+(?:then|dann|danach)\b)\s*")
 _BETWEEN_BARS = re.compile(r"\s*[^|(]+(?:\s\|\s[^|(]+)+")
 _BOTH_SIGNS = re.compile(r"\s*\+\s*([^-+−/,;=]+?)\s*/\s*[-−]\s*([^-+−/,;=]+?)\s*")
 _OR = re.compile(r"\s+(?:or|oder)\s+")
+_OPERAND = r"\s*([-+−±\d./√() ]*[ij]?[\d./√() ]*?)\s*"
+_TIMES = re.compile(rf"{_OPERAND}[x×]{_OPERAND}")
+_TIMES_IN_BRACKETS = re.compile(r"\(\s*([x×]\s*\d+|\d+\s*[x×])\s*\)")
+_COUNTS = tuple(map(str, range(1, 10)))
+MOST_SIGNS = 60
 _SETS = re.compile(r"\}\s*(?:∪|\bund\b|\band\b|,)\s*\{")
 
 
@@ -150,3 +155,13 @@ def as_point(text: str) -> str:
         return f"({found[1].replace(';', ', ')})"
     lines = [_NAMED.fullmatch(line) for line in text.strip().split("\n")]
     return ", ".join(f"{line[1]} = {line[2]}" for line in lines if line) if len(lines) > 1 and all(lines) else ""
+
+
+def times_over(item: str) -> tuple[list[str], ...]:
+    """Return what 3 x 2 may be in a list: 3 twice, 2 three times, or the product; nothing of any other item."""
+    found = _TIMES.fullmatch(_TIMES_IN_BRACKETS.sub(r" \1", item)) if len(item) <= MOST_SIGNS else None
+    if found is None or not all(found.groups()):
+        return ()
+    first, second = (each.strip() for each in found.groups())
+    many = [[value] * int(count) for value, count in ((first, second), (second, first)) if count in _COUNTS]
+    return (*many, [item]) if many else ()

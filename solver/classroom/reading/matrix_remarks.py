@@ -6,7 +6,7 @@ import re
 
 import sympy as sp
 
-from solver.classroom.reading.brackets import by_spaces, enclosed, rows, split
+from solver.classroom.reading.brackets import cells, enclosed, split
 
 _REMARK = re.compile(r"(?<=[\])])\s*,?\s*(?:\(([^()\d=<>]*)\)|(?:%|#|//)\s*([^\d=<>]*))\s*\.?$")
 _REASON = re.compile(
@@ -28,7 +28,7 @@ _ENTRY = re.compile(r"\s*([^\W\d]\w*)\s*=\s*([^=]*\S)\s*")
 _PIECES = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
 _CONCLUDED = re.compile(r"^.*(?:→|->|⇒|=>|⟹)\s*(?=[^\W\d]\w*\s*=)", re.DOTALL)
 _WITH = re.compile(r"\s*,?\s*\b(?:with|where|mit|wobei)\b\s*|\s*:\s+")
-_GIVEN = re.compile(r"\s*([^\W\d]\w*)\s*=\s*(\[.*\])\s*", re.DOTALL)
+_GIVEN = re.compile(r"\s*([^\W\d]\w*(?:\s*\^\s*[({]?-1[)}]?)?)\s*=\s*(\[.*\])\s*", re.DOTALL)
 _LETTERS = re.compile(
     r"\s*[,;:|]?\s*(?:with |mit |for |für )?(?:[a-zα-ω]_?\d?[,\s]+)*[a-zα-ω]_?\d?\s*"
     r"(?:∈|\bin\b)\s*(?:R|ℝ|IR)\s*(\}?)\s*\.?$"
@@ -79,7 +79,7 @@ def with_matrices(text: str) -> str:
     given = [_GIVEN.fullmatch(each) for piece in rest for each in split(piece, _BETWEEN)]
     if not given or not all(given):
         return ""
-    for each in filter(None, given):
+    for each in sorted(filter(None, given), key=lambda found: -len(found[1])):  # T^-1 before T
         name, value = each.groups()
         whole = re.compile(rf"(?<![\w\\]){re.escape(name)}(?!\w)")
         if not whole.search(formula):
@@ -94,10 +94,7 @@ def mirrored(text: str, ours: sp.MatrixBase) -> str:
     inside = _STAR.sub("sym", behind.strip())
     if not enclosed(inside) or not any(each in inside for each in _AS_ABOVE):
         return ""
-    lines = rows(inside[1:-1])
-    if len(lines) == 1:
-        lines = [each.strip()[1:-1] for each in split(inside[1:-1], ",") if enclosed(each.strip())]
-    grid = [[each.strip() for each in (split(line, ",") if "," in line else by_spaces(line))] for line in lines]
+    grid = cells(inside)
     if [len(line) for line in grid] != [ours.cols] * ours.rows:
         return ""
     whole = [

@@ -15,6 +15,8 @@ _VECTOR_OF = re.compile(r"^\s*[xv]\s*=\s*(?=\S*\s*[(\[])")
 _TWO = re.compile(r"±|\\pm")
 _BOTH = re.compile(r"^\s*v_?\{?1\s*[,/]\s*2\}?\s*=\s*")
 _IDENTITY = re.compile(r"(?<![\w.)\]])I(?:_?\d)?(?=\s*(?:[-+−]\s*\S|\)|$))")
+_OF_SIZE = re.compile(r"(?<![\w.)\]])(?:([IE𝟙𝕀])|(0))(?:_?\{?\(?|_)([1-9₁-₉])(?:\s*[x×,]\s*([1-9₁-₉]))?\)?\}?(?![\w.])")
+_ALONE = re.compile(r"(?<![\w.)\]])[E𝟙𝕀]\s*$")
 _IDENTITY_FIRST = re.compile(r"(?<![\w.)\]])I\s*[*·]?\s*((?:cos|sin)\s*\([^()]*\))")
 _NUMBERED = re.compile(r"^\s*p_?([1-9₁-₉])\s*=\s*([^=]+)$", re.IGNORECASE)
 _SUBSCRIPTS = str.maketrans("₁₂₃₄₅₆₇₈₉", "123456789")
@@ -54,6 +56,21 @@ def symmetric(text: str, ours: sp.MatrixBase) -> str:
     return f"[{'; '.join(rows)}]"
 
 
+def with_named(text: str, ours: sp.MatrixBase) -> str:
+    """Return zeros(2, 1) for 0_{2×1}, eye(2) for I_2 or E_2; the zero matrix of our size for 0; else the same text."""
+    if text.strip() in ("0", "0.0", "zero", "null"):
+        return f"zeros({ours.rows}, {ours.cols})"
+
+    def named(found: re.Match[str]) -> str:
+        rows, cols = (each.translate(_SUBSCRIPTS) for each in (found[3], found[4] or found[3]))
+        if found[2] and found[0][1].isdigit():  # 02 is a number
+            return found[0]
+        return f"zeros({rows}, {cols})" if found[2] else f"eye({rows})" if rows == cols else found[0]
+
+    return _OF_SIZE.sub(named, text)
+
+
 def with_identities(text: str, ours: sp.MatrixBase) -> str:
-    """Return a sum of matrices with eye(n) for I, which stands for j elsewhere."""
+    """Return a sum of matrices with eye(n) for I or E, of which I stands for j elsewhere."""
+    text = _ALONE.sub("I", text)
     return _IDENTITY.sub(f"eye({ours.rows})", _IDENTITY_FIRST.sub(r"\1 I", text))

@@ -16,6 +16,7 @@ from solver.classroom.reading import list_texts, matrix_remarks, matrix_texts, r
 from solver.classroom.reading.brackets import closed
 from solver.classroom.reading.control_laws import coefficients_of, controller_of, gain_of, law_of
 from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.inverses import with_inverses
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.likeness import is_of_time
 from solver.classroom.reading.names import symbols_of
@@ -199,10 +200,12 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
         _is_matrix,
         (
             _printed,
+            _shape(matrix_texts.with_named),
             _text(matrix_remarks.without_remark),
             _text(matrix_remarks.entries_concluded),
             _text(matrix_remarks.with_entries),
             _text(matrix_remarks.with_matrices),
+            _text(with_inverses),
         ),
     ),
     (_is_space, (_text(matrix_remarks.of_letters),)),

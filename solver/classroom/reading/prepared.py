@@ -9,12 +9,15 @@ from typing import Any
 
 import sympy as sp
 
+from solver.classroom.reading import solution_sets, state_equations
 from solver.classroom.reading.brackets import rows, split
+from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import labelled
 from solver.classroom.reading.quantities import told_otherwise, without_limit
 from solver.classroom.reading.remarks import without_remarks
 from solver.classroom.reading.spelling import typed
+from solver.classroom.reading.vectors_told import of_unit_vectors, with_conjugates
 from solver.problem.expressions.notation import GREEK_NAMES
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.symbols import POLYNOMIAL
@@ -41,8 +44,8 @@ _WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{3,}")
 
 def prepared(node: Node, ours: Any, name: str) -> Node:
     """Return the node of an answer without what is not part of its value; raises Fault where it is another quantity."""
-    if isinstance(ours, sp.MatrixBase) and isinstance(node, MappingNode):
-        node = _named_entries(node)
+    if isinstance(ours, sp.MatrixBase):
+        node = _matrix_prepared(node, ours, name)
     if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
         node = _quotient(node) or node
     text = typed(node)
@@ -71,8 +74,45 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     return node if bare == text else ScalarNode(node.place, bare, "quoted")
 
 
+def _matrix_prepared(node: Node, ours: sp.MatrixBase, name: str) -> Node:
+    """The entries of a mapping as a list; a matrix that is told by equations or by other vectors, written out."""
+    space = name.endswith("_space")
+    if isinstance(node, ScalarNode) or space:
+        told = _matrix_told(typed(node).replace(": ,", ",") if space else typed(node), name, ours)
+        if told:
+            return ScalarNode(node.place, told, "quoted")
+    return _named_entries(node) if isinstance(node, MappingNode) else node
+
+
+def _matrix_told(text: str, name: str, ours: sp.MatrixBase) -> str:
+    """A matrix told by equations or by other vectors, written out; "" of any other text."""
+    if 0 in ours.shape:
+        return ""
+    if name in state_equations.NAMES and "=" in text:
+        return state_equations.matrix_of(_plain(text), name, ours.shape)
+    if name.endswith("_space"):
+        return ("=" in text and solution_sets.solved(_plain(text), ours.rows)) or of_unit_vectors(text, ours.rows)
+    if name.endswith("eigenvectors"):
+        return with_conjugates(text) or of_unit_vectors(text, ours.rows)
+    return ""
+
+
+def _plain(text: str) -> str:
+    """A text without LaTeX, as it is where that cannot be read."""
+    try:
+        return translated(text) if is_latex(text) else text
+    except NotReadableError:
+        return text
+
+
 def _named_entries(node: MappingNode) -> Node:
     """The entries of {k1: 3, k2: 4} with their names as a list; the vectors of {v1: [1, 2], v2: [3, 4]} as a text."""
+    vectors = all(isinstance(entry.value, SequenceNode) for entry in node)
+    if (
+        vectors and node.entries and not any(entry.key.text.strip()[:1].isalpha() for entry in node)
+    ):  # {-1: [1, 0], -2: [1, 1]}
+        text = ", ".join(f"{entry.key.text}: {typed(entry.value)}" for entry in node)
+        return ScalarNode(node.place, text, "quoted")
     items = [each for entry in node for each in labelled(entry)]
     if items and all(typed(entry.value).lstrip()[:1] in ("[", "(") for entry in node):
         return ScalarNode(node.place, ", ".join(map(typed, items)), "quoted")

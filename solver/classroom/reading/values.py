@@ -7,7 +7,8 @@ each: the value has the others beside it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -16,6 +17,7 @@ import sympy as sp
 from solver.classroom.reading import polynomials, words
 from solver.classroom.reading.by_kind import KindReader
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
+from solver.classroom.reading.eigenpairs import eigenpairs
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.labels import (
     ForeignLabelError,
@@ -45,6 +47,8 @@ from solver.problem.nodes import Node, ScalarNode, SequenceNode
 from solver.problem.source import Fault
 
 MAX_ENTRIES = 400
+_VALUE_AT = re.compile(r"[A-Z]\w?\s*\(\s*[\d.j∞]+\s*\)")
+"""G(0), which is the value of a function and no product."""
 VARIABLES = {"s", "z", "t", "k", "lamda"}
 """Letters of functions: what is labelled with another argument is another function."""
 MOST_LAYERS = 2
@@ -78,6 +82,8 @@ class Reader:
         """Return the value of a node, with its other readings; raises Fault."""
         self.expected, written = expected, node
         node = prepared(node, ours, self.expected.name)
+        if expected.paired and (pairs := eigenpairs(typed(written if isinstance(written, ScalarNode) else node))):
+            return self._vectors_of(pairs, node, ours)
         found, faults = self._readings(node, ours)
         if not any(is_like(each.value, ours) for each in found):
             others = [each for each in self._other_readings(node, ours) if is_like(each.value, ours)]
@@ -91,6 +97,17 @@ class Reader:
             return found[0]
         first, *rest = (replace(each, respelt=True) for each in found)
         return replace(first, others=tuple(rest))
+
+    def _vectors_of(self, pairs: Sequence[tuple[str, str]], node: Node, ours: Any) -> Submitted:
+        """Vectors that are told with their eigenvalues, (eigenvalue, vector), with these; raises Fault."""
+        listed = ", ".join(f"v{i} = {vector}" for i, (_, vector) in enumerate(pairs, 1))
+        found, faults = self._readings(ScalarNode(node.place, listed, "quoted"), ours)
+        texts = ", ".join(value for value, _ in pairs)
+        values, strange = self._readings(ScalarNode(node.place, f"[{texts}]", "quoted"), [sp.S.Zero] * len(pairs))
+        if len(found) != 1 or len(values) != 1:
+            unread = [*faults, *strange]
+            raise unread[0] if unread else node.fault("it is not clear which vector belongs to which eigenvalue")
+        return replace(found[0], respelt=True, typed=typed(node), eigenvalues=values[0])
 
     def _readings(self, node: Node, ours: Any) -> tuple[list[Submitted], list[Fault]]:
         """The different values that a node may mean, and why other readings are none."""
@@ -158,7 +175,8 @@ class Reader:
         except ForeignLabelError:
             if not (changes(sides[0]) and self._is_formula(sides[0], ours)):
                 return []
-        found = [self._like(ScalarNode(node.place, side, "quoted"), ours) for side in sides]
+        written = [ScalarNode(node.place, side, "quoted") for side in sides]
+        found = [[] if _VALUE_AT.fullmatch(side.text) else self._like(side, ours) for side in written]
         *before, last = found
         if not last:
             return []
