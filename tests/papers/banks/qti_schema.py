@@ -1,7 +1,8 @@
 """What QTI 2.1.1, its content packages and MathML 2 allow of what is written here, from their schemas.
 
 The schemas may not be copied into the project, so this says what they say of the elements that are used: the order of
-children, attributes that must and that may be there, where text may stand, what is declared where it is named.
+children, attributes that must and that may be there, their values, where text may stand, what is declared where it is
+named.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ CP = "{http://www.imsglobal.org/xsd/imscp_v1p1}"
 MATH = "{http://www.w3.org/1998/Math/MathML}"
 XSI = "{http://www.w3.org/2001/XMLSchema-instance}"
 XML = "{http://www.w3.org/XML/1998/namespace}"
-NCNAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
-TYPES = {"float", "identifier", "string"}
+NAME = r"(?a:[A-Za-z_][\w.-]*)"
+NUMBER = r"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?"
 
 INTERACTIVE = "textEntryInteraction|inlineChoiceInteraction"
 INLINE = "a|abbr|b|br|code|em|i|img|math|small|span|strong|sub|sup"
@@ -140,6 +141,21 @@ MATH_MODELS = {
 MODELS = {f"{space}{name}": model for space, models in ((QTI, QTI_MODELS), (CP, CP_MODELS), (MATH, MATH_MODELS))
           for name, model in models.items()}  # fmt: skip
 
+VALUES = {
+    **dict.fromkeys("identifier responseIdentifier outcomeIdentifier variableIdentifier identifierref".split(), NAME),
+    **dict.fromkeys("adaptive timeDependent visible keepTogether shuffle showFeedback allowReview fence separator "
+                    "stretchy symmetric largeop movablelimits accent accentunder displaystyle".split(), "true|false"),
+    **dict.fromkeys("expectedLength expectedLines maxChoices maxAttempts select rowspan colspan columnspan".split(),
+                    r"\d+"),
+    "normalMaximum": NUMBER, "tolerance": f"{NUMBER} {NUMBER}", "toleranceMode": "exact|absolute|relative",
+    "baseType": "float|identifier|string", "cardinality": "single|multiple", "showHide": "show|hide", "view": "scorer",
+    "navigationMode": "linear|nonlinear", "submissionMode": "individual|simultaneous", "label": ".{1,256}",
+    "type": "imsqti_(?:item|test)_xmlv2p1", "display": "block|inline", "form": "prefix|infix|postfix",
+}  # fmt: skip
+"""The values of attributes: those of the schemas, of their types only those that are used."""
+
+TEXTS = {f"{CP}schema": "QTIv2.1 Package", f"{CP}schemaversion": "1.0.0"}
+
 STATIC = ("modalFeedback", "rubricBlock", "prompt", "simpleChoice")
 """No answer can be given in these."""
 
@@ -166,6 +182,10 @@ def _faults(element):
     required, optional = set(model.required.split()), set(model.optional.split())
     found += [f"{name} has no {each}" for each in required - spelled]
     found += [f"{name} has {each}" for each in spelled - required - optional]
+    found += [f"{name} has {each}={value}" for each, value in element.attrib.items()
+              if not re.fullmatch(VALUES.get(each, "(?s:.*)"), value)]  # fmt: skip
+    if element.text != TEXTS.get(element.tag, element.text):
+        found.append(f"{name} is {element.text}")
     texts = [element.text, *(each.tail for each in element)]
     if not model.mixed and any(text and text.strip() for text in texts):
         found.append(f"text in {name}")
@@ -178,7 +198,6 @@ def _names(item):
     outcomes = {each.get("identifier"): each for each in item.iter(f"{QTI}outcomeDeclaration")}
     counted = Counter(each.get("identifier") for each in item if each.tag.endswith("Declaration"))
     found = [f"{name} is declared {times} times" for name, times in counted.items() if times > 1]
-    found += [f"{name} is no name" for name in counted if not NCNAME.fullmatch(name)]
     asked = Counter(each.get("responseIdentifier") for each in item.iter() if each.tag.endswith("Interaction"))
     found += [f"{name} is asked {times} times" for name, times in asked.items() if times > 1]
     found += [f"{name} is asked or declared, not both" for name in set(asked) ^ set(declared)]
@@ -191,6 +210,6 @@ def _names(item):
     found += [f"{name} is set, not declared" for name in set(set_to) - set(outcomes)]
     told = {(each.get("outcomeIdentifier"), each.get("identifier")) for each in item.iter(f"{QTI}modalFeedback")}
     found += [f"{value} of {name} is never set" for name, value in told if value not in set_to.get(name, ())]
-    found += [f"nothing is told for {value}" for value in set_to.get("FEEDBACK", ()) if ("FEEDBACK", value) not in told]
-    types = [each.get("baseType") for each in item.iter() if "baseType" in each.attrib]
-    return found + [f"{each} is no type that is used here" for each in types if each not in TYPES]
+    return found + [
+        f"nothing is told for {value}" for value in set_to.get("FEEDBACK", ()) if ("FEEDBACK", value) not in told
+    ]

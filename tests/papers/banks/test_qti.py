@@ -100,8 +100,28 @@ def spoil_feedback(root):
     etree.SubElement(hint[0], f"{QTI}textEntryInteraction", responseIdentifier="k-1-1")
 
 
+def spoil_number(root):
+    next(root.iter(f"{QTI}textEntryInteraction")).set("expectedLength", "long")
+
+
+def spoil_word(root):
+    next(root.iter(f"{QTI}equal")).set("toleranceMode", "near")
+
+
+def spoil_label(root):
+    next(root.iter(f"{QTI}textEntryInteraction")).set("label", "x" * 257)
+
+
+def spoil_name(root):
+    next(root.iter(f"{QTI}setOutcomeValue")).set("identifier", "1")
+
+
+def spoil_sign(root):
+    next(root.iter(f"{MATH}mo")).set("stretchy", "no")
+
+
 SPOILS = [spoil_order, spoil_declaration, spoil_twice, spoil_style, spoil_nesting, spoil_text, spoil_hint, spoil_math,
-          spoil_script, spoil_feedback]  # fmt: skip
+          spoil_script, spoil_feedback, spoil_number, spoil_word, spoil_label, spoil_name, spoil_sign]  # fmt: skip
 
 
 @pytest.mark.parametrize("spoil", SPOILS)
