@@ -1,20 +1,20 @@
 """Many parts at a time: how many a second by 1 and 2 processes and by a cluster, and what memory they take.
 
 The machine may have other work, so that the wall time of a run says little. What counts is the processor time of a part
-in a warm worker, and what the parent needs beside it; `import sympy` tells how quick the machine was. The scaling is
-what two processes do in the time of one, as measured. On quiet cores a part is taken to be as many times quicker as
-`import sympy` is.
+in a warm worker, with what it does between two parts and with the garbage of all, and what the parent needs beside it;
+`import sympy` tells how quick the machine was. The scaling is what two processes do in the time of one, as measured. On
+quiet cores a part is taken to be as many times quicker as `import sympy` is.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
-from statistics import median
-from time import perf_counter, process_time
+from statistics import mean
+from time import perf_counter, process_time, thread_time
 
 from benchmarks.command_line import IMPORT, text_of
 from benchmarks.timing import output
@@ -68,14 +68,21 @@ HEADER = (
 )
 
 
-def timed(file: File) -> tuple[int, float, float]:
-    """Solve, check and write a problem; return the process, its processor time for it, and the megabytes it holds."""
-    start = process_time()
+Stamp = tuple[int, float, float]
+"""A process, the processor time that it has taken so far, and the megabytes it holds."""
+
+
+def stamped(file: File) -> Stamp:
+    """Solve, check and write a problem.
+
+    The time is that of the thread: Linux tells that of a process that has a limit of it at its ticks only, some
+    milliseconds late.
+    """
     outcome = solve_whole(file)
     if outcome.code:
         raise AssertionError(outcome.err or outcome.out)
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
-    return os.getpid(), process_time() - start, pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+    return os.getpid(), thread_time(), pages * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
 def files(count: int) -> Iterator[tuple[File]]:
@@ -92,13 +99,23 @@ def files(count: int) -> Iterator[tuple[File]]:
 def measured(name: str, executor: Executor, count: int) -> Run:
     """Let an executor do so many parts, after some that warm it."""
     with executor:
-        list(executor.calls(Limits(), timed, files(WARMING * executor.jobs)))
+        before = [result for _, result in executor.calls(Limits(), stamped, files(WARMING * executor.jobs))]
         start, own = perf_counter(), process_time()
-        found = [result for _, result in executor.calls(Limits(), timed, files(count))]
+        found = [result for _, result in executor.calls(Limits(), stamped, files(count))]
         wall, parent = perf_counter() - start, process_time() - own
-    worker = median(cpu for _, cpu, _ in found)
+    last = {stamp[0]: stamp for stamp in before}.values()
+    worker = mean(seconds_of_each([*last, *found]))
     early, late = max(mb for *_, mb in found[: count // 5]), max(mb for *_, mb in found[-count // 5 :])
     return Run(name, count, executor.jobs, wall, worker, parent / count, early, late, quickness())
+
+
+def seconds_of_each(stamps: Iterable[Stamp]) -> Iterator[float]:
+    """Yield the processor time from each part to the next one of the same process."""
+    by_process: dict[int, list[float]] = {}
+    for process, seconds, _ in stamps:
+        by_process.setdefault(process, []).append(seconds)
+    for times in by_process.values():
+        yield from (after - before for before, after in pairwise(sorted(times)))
 
 
 def quickness() -> float:
