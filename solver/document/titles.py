@@ -200,9 +200,8 @@ class _Alike:
     def _asked(self, part: Part) -> str:
         """Return what is asked for, where the file says it."""
         task, wording = catalogue()[part.task], self.wording_of(part)
-        meant = (task.answers[name].doc for name in part.asked)
-        clear = (wording.say(each) for each in meant if not each.startswith("lim"))
-        words = [inline_as_text(re.split(r"[,;(:]", each)[0].strip()) for each in clear]
+        meant = (wording.say(task.answers[name].doc) for name in part.asked)
+        words = [inline_as_text(re.split(r"[,;(:]", each)[0].strip()) for each in meant]
         return _short(", ".join(words)) or (words and _short(words[0])) or ""
 
     def _which_system(self, part: Part) -> str:

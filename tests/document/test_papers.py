@@ -1,5 +1,6 @@
 """A paper gives nothing away: no answer, no method that the file does not name, no key of the file."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -22,6 +23,8 @@ from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_pro
 CATALOGUE = catalogue()
 TELLING = 18
 """Characters of LaTeX from which on a value is hardly there by chance."""
+LEANS = re.compile(r"\A(its|their|the same)\b|\b(there|they)\b|[,:;]\Z|\b(or|and)\Z")
+"""Words that mean something told before, and ends of what was cut off: answers are asked for alone, too."""
 PRINTED = {"ch2-ex03", "ch5-ex07"}
 """Problems that print a decomposition of the course and ask for one, which may come out as the same."""
 
@@ -172,3 +175,11 @@ def test_the_keys_of_a_file_are_not_shown(format_):
     assert "(loop)" not in text
     assert "found in part (a)" in document.parts[1].question
     assert [part.id for part in document.parts] == ["gain", "loop"]
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_what_each_answer_is_can_be_asked_for_alone(name):
+    for answer in CATALOGUE[name].answers.values():
+        asked = answer.doc.split(" (")[0]  # as the macro `asked` has it
+        assert not LEANS.search(asked), asked
+        assert (asked.count("("), asked.count("$") % 2) == (asked.count(")"), 0), asked

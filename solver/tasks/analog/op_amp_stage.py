@@ -67,8 +67,8 @@ op_amp_stage: Task[OpAmp, OpAmpStageOptions] = Task(
     answers=[
         AnswerName("v_o", "v_o", "the output in time",
                    principal=True, earned=("balance", "integrated", "solved", "cascade"), signals=signals_of),
-        AnswerName("V_o", "V_o", "its Laplace transform", principal=True, earned=("transformed", "cascade"),
-                   signals=transforms_of),
+        AnswerName("V_o", "V_o", "the Laplace transform of the output",
+                   principal=True, earned=("transformed", "cascade"), signals=transforms_of),
     ],
 )  # fmt: skip
 stage_mistakes.register(op_amp_stage)

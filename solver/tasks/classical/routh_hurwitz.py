@@ -75,7 +75,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
         AnswerName(
             "condition",
             r"\text{condition}",
-            "where they do",
+            "where all roots lie in the open left half plane, a condition on the parameters",
             optional=True,
             principal=has_parameters,
             earned=("condition",),

@@ -31,7 +31,14 @@ def answers_of(several: bool) -> list[AnswerName]:
     ratio = "the ratios of zero and pole, lead first" if several else "the ratio of zero and pole"
     return [
         AnswerName("controller", "C(s)", "the compensator", free=True, principal=True, earned=EARNED),
-        AnswerName("K", "K", "its gain at s = 0", free=is_any_gain, principal=True, earned=("gain", "free_gain")),
+        AnswerName(
+            "K",
+            "K",
+            "the gain of the compensator at $s = 0$",
+            free=is_any_gain,
+            principal=True,
+            earned=("gain", "free_gain"),
+        ),
         AnswerName("T", "T", zero, free=True, ordered=True, unit="s", earned=EARNED),
         AnswerName("alpha", r"\alpha", ratio, free=True, ordered=True, earned=EARNED),
         AnswerName(
@@ -42,7 +49,9 @@ def answers_of(several: bool) -> list[AnswerName]:
             unit="°",
             earned=("check",),
         ),
-        AnswerName("gain_crossover", r"\omega_g", "its gain crossover", free=True, unit="rad/s", earned=("check",)),
+        AnswerName(
+            "gain_crossover", r"\omega_g", "the gain crossover of the loop", free=True, unit="rad/s", earned=("check",)
+        ),
         AnswerName("error", r"e_{\infty}", "the error after a unit step", optional=True, free=True, earned=("check",)),
     ]
 

@@ -92,7 +92,9 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
             told=("current",),
         ),
         AnswerName("error_A", r"A - \sym{L}C", "the matrix of the estimation error"),
-        AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues", numbered=True, told=("error",)),
+        AnswerName(
+            "eigenvalues", r"\lambda_i", "the eigenvalues of the estimation error", numbered=True, told=("error",)
+        ),
         *LISTED,
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},

@@ -58,8 +58,8 @@ model_matching: Task[InputOutput, ModelMatchingOptions] = Task(
         AnswerName("feasible", r"\text{feasible}", "whether state feedback alone turns the plant into the target"),
         AnswerName("compensator", "G/H", "the series compensator that would do the same: target over plant"),
         AnswerName("A", "A", "system matrix of the realization used", (), True, free=True),
-        AnswerName("B", "B", "its input matrix", (), True, free=True),
-        AnswerName("C", "C", "its output matrix", (), True, free=True),
+        AnswerName("B", "B", "input matrix of the realization", (), True, free=True),
+        AnswerName("C", "C", "output matrix of the realization", (), True, free=True),
         AnswerName(
             "K",
             r"\sym{K}",

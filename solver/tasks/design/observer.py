@@ -61,7 +61,7 @@ observer: Task[WithOutput, ObserverOptions] = Task(
         AnswerName(
             "gain_polynomial",
             "p_l",
-            "the same with the unknown entries $l_{1}$, $l_{2}$, … of the gain",
+            "the characteristic polynomial of the error with the unknown entries $l_{1}$, $l_{2}$, … of the gain",
             ("coefficient_matching",),
             optional=True,
             told=("gain_polynomial",),

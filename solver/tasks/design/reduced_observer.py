@@ -127,7 +127,7 @@ reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
         AnswerName(
             "B_combined",
             r"B_{\text{combined}}",
-            "their input matrix",
+            r"the input matrix of plant and observer together, in $(x, \omega)$",
             free=reduced_gain_is_free,
         ),
     ],

@@ -46,7 +46,7 @@ LISTED = (
     AnswerName(
         "definiteness",
         r"\text{definiteness}",
-        "the definiteness of each solution, in the same order",
+        "the definiteness of each solution of the Riccati equation",
         ("riccati",),
         optional=True,
         ordered=True,

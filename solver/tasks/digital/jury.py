@@ -55,7 +55,7 @@ jury: Task[Polynomial, CriterionOptions] = Task(
         AnswerName(
             "condition",
             r"\text{condition}",
-            "where they do",
+            "where all roots lie inside the unit circle, a condition on the parameters",
             optional=True,
             principal=has_parameters,
             earned=("condition",),

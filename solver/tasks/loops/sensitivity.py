@@ -56,7 +56,7 @@ sensitivity: Task[OpenLoop, SensitivityOptions] = Task(
         AnswerName(
             "S",
             "S",
-            "the sensitivity 1/(1 + L), or (∂T/∂p)·(p/T) of a parameter p",
+            r"the sensitivity: $1/(1 + L)$, or of $T$ to a parameter $p$, $(\partial T/\partial p)\,p/T$",
             principal=True,
             earned=("of_loop", "transfer", "derivative", "relative"),
         ),

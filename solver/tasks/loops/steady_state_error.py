@@ -65,16 +65,18 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
         AnswerName(
             "error",
             r"e(\infty)",
-            "the limit of the error r − y",
+            "the limit of the error $r - y$",
             principal=True,
             infinite=True,
             earned=("at_both_ends", "stable", "unity", "reference", "disturbance", "final_value", "by_constants"),
         ),
-        AnswerName("system_type", r"\text{type}", "the number of integrators of L", count=True, earned=("constants",)),
+        AnswerName(
+            "system_type", r"\text{type}", "the number of integrators of $L$", count=True, earned=("constants",)
+        ),
         AnswerName(
             "position_constant",
             "K_p",
-            "lim L(s) for s → 0, lim L(z) for z → 1",
+            r"the position constant (the limit of $L(s)$ for $s \to 0$, discrete: of $L(z)$ for $z \to 1$)",
             optional=True,
             infinite=True,
             earned=("constants",),
@@ -82,7 +84,7 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
         AnswerName(
             "velocity_constant",
             "K_v",
-            "lim s L(s), lim (z − 1) L(z)/T",
+            r"the velocity constant (the limit of $s L(s)$ for $s \to 0$, discrete: of $(z - 1) L(z)/T$ for $z \to 1$)",
             optional=True,
             unit="1/s",
             infinite=True,
@@ -91,7 +93,8 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
         AnswerName(
             "acceleration_constant",
             "K_a",
-            "lim s² L(s), lim (z − 1)² L(z)/T²",
+            r"the acceleration constant (the limit of $s^2 L(s)$ for $s \to 0$, "
+            r"discrete: of $(z - 1)^2 L(z)/T^2$ for $z \to 1$)",
             optional=True,
             unit="1/s^2",
             infinite=True,

@@ -37,8 +37,8 @@ minimal_realization: Task[InputOutput, LoopOptions] = Task(
             principal=True,
             earned=("complete", "reduction", "parts", "coefficients", "residue"),
         ),
-        AnswerName("B", "B", "its input matrix", free=True, principal=True),
-        AnswerName("C", "C", "its output matrix", free=True, principal=True),
+        AnswerName("B", "B", "input matrix of the realization", free=True, principal=True),
+        AnswerName("C", "C", "output matrix of the realization", free=True, principal=True),
         AnswerName("D", "D", "$D$, as before", principal=True),
         AnswerName(
             "cancelled", r"\text{cancelled}", "the modes that the transfer function does not show", optional=True

@@ -30,11 +30,16 @@ controllability: Task[WithInput, PairOptions] = Task(
             r"\sym{controllability_matrix}",
             r"the controllability matrix $[B, AB, \ldots, A^{n-1}B]$",
         ),
-        AnswerName("determinant", r"\det \sym{controllability_matrix}", "its determinant", optional=True),
+        AnswerName(
+            "determinant",
+            r"\det \sym{controllability_matrix}",
+            "the determinant of the controllability matrix",
+            optional=True,
+        ),
         AnswerName(
             "rank",
             r"\operatorname{rank} \sym{controllability_matrix}",
-            "its rank (with parameters: the rank in general)",
+            "the rank of the controllability matrix (with parameters: the rank in general)",
             count=True,
             most=lambda given: given.system.order,
         ),

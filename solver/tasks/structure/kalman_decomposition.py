@@ -74,7 +74,9 @@ kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
         AnswerName("A", r"\bar{A}", "$T^{-1}AT$", free=True, principal=True, earned=("transformed",)),
         AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, free=True, principal=True),
         AnswerName("C", r"\bar{C}", "$CT$", optional=True, free=True, principal=True),
-        AnswerName("orders", r"\text{orders}", "their orders, as in $T$", ordered=True, numbered=True, count=True),
+        AnswerName(
+            "orders", r"\text{orders}", "the orders of the parts, as in $T$", ordered=True, numbered=True, count=True
+        ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the eigenvalues of all parts but the first"),
         *(
             AnswerName(

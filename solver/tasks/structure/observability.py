@@ -30,11 +30,16 @@ observability: Task[WithOutput, PairOptions] = Task(
             r"\sym{observability_matrix}",
             "the observability matrix: $C$, $CA$, …, $CA^{n-1}$ under each other",
         ),
-        AnswerName("determinant", r"\det \sym{observability_matrix}", "its determinant", optional=True),
+        AnswerName(
+            "determinant",
+            r"\det \sym{observability_matrix}",
+            "the determinant of the observability matrix",
+            optional=True,
+        ),
         AnswerName(
             "rank",
             r"\operatorname{rank} \sym{observability_matrix}",
-            "its rank (with parameters: the rank in general)",
+            "the rank of the observability matrix (with parameters: the rank in general)",
             count=True,
             most=lambda given: given.system.order,
         ),

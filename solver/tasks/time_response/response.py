@@ -85,7 +85,7 @@ response: Task[Moving, ResponseOptions] = Task(
         AnswerName(
             "x",
             "x",
-            "the states; none of a transfer function from rest",
+            "the states (none of a transfer function from rest)",
             optional=True,
             principal=_has_states,
             earned=("zero_input_transform", "zero_state_transform", "convolution", "convolution_sum", "free_motion"),

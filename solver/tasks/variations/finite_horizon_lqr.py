@@ -51,7 +51,7 @@ finite_horizon_lqr: Task[WithInput, HorizonOptions] = Task(
         ),
         AnswerName("K", r"\sym{K}", "the gain, in t (discrete: K₀, …, K_{N−1})", ordered=True, principal=True),
         AnswerName("x", "x", "the optimal motion from x(0) (discrete: x₀, …, x_N)", optional=True, ordered=True),
-        AnswerName("u", "u", "its control (discrete: u₀, …, u_{N−1})", optional=True, ordered=True),
+        AnswerName("u", "u", "the optimal control (discrete: u₀, …, u_{N−1})", optional=True, ordered=True),
         AnswerName("cost", r"J^{*}", "the least cost from x(0)", optional=True),
         AnswerName("P_infinite", r"P_{\infty}", "the limit of P(0) as the horizon grows", optional=True),
     ],
