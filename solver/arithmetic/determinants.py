@@ -10,6 +10,7 @@ from solver.arithmetic.exactness import where_exact
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact, unnoted_calls
 from solver.lazy import sympy as sp
+from solver.matrices import entries
 from solver.stated.algebra import product, total
 from solver.stated.matrices import determinant
 from solver.words import Phrase
@@ -62,8 +63,19 @@ def is_triangular(M: ImmutableMatrix) -> bool:
 
 def row_with_most_zeros(M: ImmutableMatrix) -> int:
     """Return the first of the rows with most zeros."""
-    zeros = [row.count(0) for row in M.tolist()]
+    zeros = _zeros(M)
     return zeros.index(max(zeros))
+
+
+def most_zeros_in_a_row(M: ImmutableMatrix) -> int:
+    """Return how many zeros a row has at most."""
+    return max(_zeros(M))
+
+
+def _zeros(M: ImmutableMatrix) -> list[int]:
+    """Return how many zeros each row has."""
+    flat = entries(M)
+    return [sum(entry == 0 for entry in flat[i * M.cols : (i + 1) * M.cols]) for i in range(M.rows)]
 
 
 def along_row(M: ImmutableMatrix) -> list[tuple[Expr, ImmutableMatrix]]:

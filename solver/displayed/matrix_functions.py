@@ -7,8 +7,9 @@ from typing import Any
 
 import sympy as sp
 
-from solver.displayed.shapes import identity, known, shape_of
+from solver.displayed.shapes import known, shape_of
 from solver.lazy import numeric
+from solver.matrices import identity
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, total
 from solver.stated.complex_numbers import imaginary_part, real_part

@@ -15,7 +15,6 @@ from solver.displayed.shapes import (
     SCALAR,
     Shape,
     complete,
-    identity,
     known,
     of_product,
     selections,
@@ -25,6 +24,7 @@ from solver.displayed.statements import meaning_in, names_in
 from solver.displayed.tree import Meaning, Unreadable, key_of
 from solver.formula import latex
 from solver.lazy import numeric
+from solver.matrices import identity
 from solver.render.symbols import named
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, quotient, total

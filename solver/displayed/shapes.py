@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from solver.displayed.tree import Unreadable
+from solver.matrices import identity
 from solver.stated import Stated
 
 Shape = tuple[int, int] | None
@@ -55,12 +56,6 @@ def complete(sizes: list[int], whole: int) -> None:
     """Fill in the one size that is open."""
     if sizes.count(0) == 1:
         sizes[sizes.index(0)] = whole - sum(sizes)
-
-
-@lru_cache(maxsize=64)  # sI stands in formula after formula
-def identity(n: int) -> Any:
-    """Return the identity with n rows."""
-    return sp.ImmutableMatrix(sp.eye(n))
 
 
 @lru_cache(maxsize=256)

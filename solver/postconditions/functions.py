@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 from sympy import ZZ
-from sympy.polys.galoistools import gf_gcd, gf_strip
+from sympy.polys.galoistools import gf_gcd, gf_mul, gf_rem, gf_strip
 
 from solver.derivation import Check
 from solver.matrices import entries
@@ -24,7 +24,7 @@ def of_resolvent_cancels(found: bool, A: Any) -> Iterator[Check]:
     """An entry of adj(λI − A) is zero at an eigenvalue, but not everywhere, parameters at some values."""
     symbols = sorted(A.free_symbols, key=str)
     values = {symbol: sp.Rational(17 + 10 * i, 13) for i, symbol in enumerate(symbols)}
-    matrix = A.xreplace(values)
+    matrix = A.xreplace(values) if values else A
     if all(entry.is_Rational for entry in matrix):
         cancels, oracle = _has_common_factor(matrix), "greatest common divisors"
     else:
@@ -39,7 +39,8 @@ def of_resolvent_cancels(found: bool, A: Any) -> Iterator[Check]:
 def _has_common_factor(A: Any) -> bool:
     """Whether an entry of the adjugate, which is not zero, and the characteristic polynomial have a common factor.
 
-    Modulo a prime, where a common factor stays one, and where two polynomials that have none hardly ever get one.
+    Modulo a prime, where a common factor stays one, and where two polynomials that have none hardly ever get one. The
+    product of the entries has one if an entry has.
     """
     n = A.rows
     flat = [entry.p * pow(entry.q, -1, PRIME) % PRIME for entry in entries(A)]
@@ -52,7 +53,11 @@ def _has_common_factor(A: Any) -> bool:
         chi.append(-sum(N[i][i] for i in range(n)) * pow(k, -1, PRIME) % PRIME)
         N = [[(entry + chi[-1] * (i == j)) % PRIME for j, entry in enumerate(row)] for i, row in enumerate(N)]
     adjugate = (gf_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
-    return any(len(gf_gcd(entry, chi, PRIME, ZZ)) > 1 for entry in adjugate if len(entry) > 1)
+    product = [1]
+    for entry in adjugate:
+        if len(entry) > 1:
+            product = gf_rem(gf_mul(product, entry, PRIME, ZZ), chi, PRIME, ZZ)
+    return len(gf_gcd(product, chi, PRIME, ZZ)) > 1
 
 
 def _vanishes(A: Any, roots: Any) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -60,17 +60,23 @@ class Fraction:
         return product(quotient(sp.Integer(1), self.base**self.power), self.numerator)
 
 
-def fractions_of(image: RationalMatrix, x: sp.Symbol) -> list[Fraction]:
+def fractions_of(image: RationalMatrix, x: sp.Symbol) -> Sequence[Fraction]:
     """The partial fractions that are not zero.
 
     Factors with real roots are split into (x − λ)ʲ; a conjugate pair (or one whose nature is undecided) keeps its
     quadratic denominator.
     """
+    if x not in image.fractions:
+        image.fractions[x] = _fractions_of(image, x)
+    return image.fractions[x]
+
+
+def _fractions_of(image: RationalMatrix, x: sp.Symbol) -> tuple[Fraction, ...]:
     found: list[Fraction] = []
     for each in image.residues:
         of_factor = _quadratic(image, each.factor, x) if keeps_quadratic(each.factor) else _linear(each, image.shape, x)
         found += [fraction for fraction in of_factor if any(entries(fraction.numerator))]
-    return found
+    return tuple(found)
 
 
 def keeps_quadratic(factor: Factor) -> bool:
@@ -97,6 +103,8 @@ def real_quadratic(root: Root, x: sp.Symbol) -> sp.Expr:
 
 def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMatrix:
     """A matrix over L at one root of its factor."""
+    if len(Z) == 1 and Z[0].domain.is_QQ:
+        return matrix_of(Z[0])
     parts = [expressions(M) for M in Z]
     entries = parts[0] if len(parts) == 1 else [value_at(list(c), root) for c in zip(*parts, strict=True)]
     return sp.ImmutableMatrix(*shape, [common_factors_below(entry) for entry in entries])

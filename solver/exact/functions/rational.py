@@ -16,8 +16,8 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.functions.closed_forms import MatrixFunction, closed_form
-from solver.exact.functions.fractions import fractions_of, highest_power
-from solver.exact.functions.residues import FactorResidues, MatrixPolynomial, residues_at
+from solver.exact.functions.fractions import Fraction, fractions_of, highest_power
+from solver.exact.functions.residues import FactorResidues, MatrixPolynomial, residues_at, resolvent_residues
 from solver.exact.linear_algebra.assembly import product_of_powers
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import Modulus, domain_matrix, in_powers
@@ -40,7 +40,12 @@ class RationalMatrix:
         numerator = MatrixPolynomial(self.numerator)
         return tuple(residues_at(numerator, self.chi, factor) for factor in self.factors)
 
-    @property
+    @cached_property
+    def fractions(self) -> dict[sp.Symbol, Sequence[Fraction]]:
+        """The partial fractions that were found, by the variable they are written in."""
+        return {}
+
+    @cached_property
     def poles(self) -> list[tuple[FactorResidues, int]]:
         """The factors that do not cancel in all entries, with the highest power at which each occurs."""
         orders = ((each, highest_power(each)) for each in self.residues)
@@ -61,6 +66,18 @@ class RationalMatrix:
         return [each.stated for each in fractions_of(self, x)]
 
 
+@dataclass(frozen=True)
+class Resolvent(RationalMatrix):
+    """(xI − A)⁻¹: its residues are those that e^{At} and Aᵏ are made of."""
+
+    A: sp.ImmutableMatrix
+
+    @cached_property
+    def residues(self) -> tuple[FactorResidues, ...]:
+        """The residues at the roots of each factor."""
+        return resolvent_residues(self.A)
+
+
 def fraction_of_term(term: Stated) -> sp.Expr:
     """A term of the partial fractions of one entry as one fraction; its numerator has none, and no minus in front."""
     below, numerator = term.operands
@@ -74,7 +91,7 @@ def fraction_of_term(term: Stated) -> sp.Expr:
 def resolvent_matrix(A: sp.ImmutableMatrix) -> RationalMatrix:
     """(xI − A)⁻¹ (n×n)."""
     fl = faddeev_leverrier(A)
-    return RationalMatrix((A.rows, A.cols), fl.N[::-1], fl.chi[::-1], spectrum(A).factors)
+    return Resolvent((A.rows, A.cols), fl.N[::-1], fl.chi[::-1], spectrum(A).factors, A)
 
 
 def between(left: sp.ImmutableMatrix, A: sp.ImmutableMatrix, right: sp.ImmutableMatrix) -> RationalMatrix:
@@ -96,10 +113,13 @@ def _over(K: Any, factor: Factor) -> Factor:
 
 def in_lowest_terms(numerator: Sequence[Any], factors: Sequence[tuple[Modulus, int]], x: sp.Symbol) -> sp.Expr:
     """A fraction, its numerator by coefficients (highest power first), its denominator by irreducible factors."""
-    rest, left = cancelled(numerator, factors)
+    return written_out(*cancelled(numerator, factors), factors[0][0].domain, x)
+
+
+def written_out(rest: Sequence[Any], left: Sequence[tuple[Modulus, int]], K: Any, x: sp.Symbol) -> sp.Expr:
+    """A fraction over K of which that is left."""
     if not rest:
         return sp.Integer(0)
-    K = factors[0][0].domain
     below = [_written(p, x, -power) for p, power in left]
     if K.is_QQ:
         begins_with_minus = all(c <= 0 for c in rest)

@@ -19,7 +19,7 @@ from solver.exact.functions.fractions import (
     real_quadratic,
     upper_root,
 )
-from solver.exact.functions.rational import RationalMatrix, cancelled, in_lowest_terms, resolvent_matrix
+from solver.exact.functions.rational import RationalMatrix, cancelled, resolvent_matrix, written_out
 from solver.exact.functions.residues import residues_at
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import Modulus, collected
@@ -32,20 +32,22 @@ from solver.stated import Stated
 @lru_cache(maxsize=16)
 def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
     """(xI − A)⁻¹ (n×n): entries in lowest terms, denominators as products of the irreducible factors of χ."""
-    factors = _factors_of(A)
-    return sp.ImmutableMatrix(A.rows, A.rows, [in_lowest_terms(entry, factors, x) for entry in _numerators(A)])
+    K = faddeev_leverrier(A).domain
+    return sp.ImmutableMatrix(A.rows, A.rows, [written_out(rest, left, K, x) for rest, left in _cancelled(A)])
 
 
 def resolvent_cancels(A: sp.ImmutableMatrix) -> bool:
     """Whether an entry of (xI − A)⁻¹ that is not zero has a factor in common with χ."""
     factors = _factors_of(A)
-    reduced = (cancelled(entry, factors) for entry in _numerators(A))
-    return any(rest and below != factors for rest, below in reduced)
+    return any(rest and below != factors for rest, below in _cancelled(A))
 
 
-def _numerators(A: sp.ImmutableMatrix) -> list[tuple[Any, ...]]:
-    """The entries of adj(xI − A), row by row, as coefficients over K, the highest power first."""
-    return list(zip(*(N.to_list_flat() for N in faddeev_leverrier(A).N), strict=True))
+@lru_cache(maxsize=16)
+def _cancelled(A: sp.ImmutableMatrix) -> list[tuple[list[Any], list[tuple[Modulus, int]]]]:
+    """What is left above and below of the entries of (xI − A)⁻¹, row by row."""
+    factors = _factors_of(A)
+    numerators = zip(*(N.to_list_flat() for N in faddeev_leverrier(A).N), strict=True)  # the highest power first
+    return [cancelled(entry, factors) for entry in numerators]
 
 
 def _factors_of(A: sp.ImmutableMatrix) -> list[tuple[Modulus, int]]:

@@ -18,7 +18,9 @@ from sympy.polys.matrices import DomainMatrix
 from solver.exact.linear_algebra.assembly import linear_combination
 from solver.exact.linear_algebra.constants import constant_form, number_multiplied_in
 from solver.exact.linear_algebra.generators import dependent_exponentials, generators_in, half_angles
+from solver.exact.linear_algebra.integers import are_rational
 from solver.exact.linear_algebra.signs import is_not_zero
+from solver.matrices import entries
 from solver.words import Told
 
 Element = Any
@@ -35,6 +37,9 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     Entries must be real, where it is not said that they need not. Sines and cosines of an angle θ are written as
     rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K; a root √a is a generator whose square is a.
     """
+    if are_rational(each := entries(M)):
+        flat = [sp.QQ(int(x.p), int(x.q)) for x in each]
+        return DomainMatrix([flat[i * M.cols : (i + 1) * M.cols] for i in range(M.rows)], M.shape, sp.QQ)
     if real and M.has(sp.I):
         raise NotExact("linear_algebra/not_real")
     try:
@@ -147,6 +152,8 @@ def expressions(matrix: DomainMatrix) -> list[sp.Expr]:
 
 def matrix_of(matrix: DomainMatrix) -> sp.ImmutableMatrix:
     """A matrix over K as a matrix of expressions."""
+    if matrix.domain.is_QQ:  # which sympy would find out for itself
+        return sp.ImmutableMatrix._fromrep(matrix.to_sparse())
     return sp.ImmutableMatrix(*matrix.shape, expressions(matrix))
 
 

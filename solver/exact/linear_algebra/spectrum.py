@@ -12,7 +12,9 @@ from typing import Any
 
 import mpmath
 import sympy as sp
+from sympy.polys.polyclasses import DMP
 
+from solver.exact.linear_algebra.assembly import product_of_powers
 from solver.exact.linear_algebra.biquadratic import biquadratic_roots, has_rational_coefficients
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import (
@@ -119,7 +121,7 @@ def irreducible_factors(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
     result = faddeev_leverrier(A)
     x, K = sp.Dummy("x"), result.domain
     roots, rest = small_integer_roots(list(result.chi)) if K.is_QQ else ([], list(result.chi))
-    found = [(sp.Poly([K.one, K(-root)], x, domain=K), roots.count(root)) for root in dict.fromkeys(roots)]
+    found = [(sp.Poly.new(DMP([K.one, K(-root)], K), x), roots.count(root)) for root in dict.fromkeys(roots)]
     if len(rest) == 1:
         return found
     _, listed = sp.Poly(rest, x, domain=K).factor_list()
@@ -133,10 +135,11 @@ def _modulus(p: sp.Poly) -> Modulus:
 @lru_cache(maxsize=64)
 def factored(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.Expr:
     """χ(x) as the product of its irreducible factors over K."""
-    powers = sorted(
-        ((polynomial(p, x), m) for p, m in irreducible_factors(A)), key=lambda pair: sp.default_sort_key(pair[0])
-    )
-    return sp.Mul(*(sp.Pow(p, m) for p, m in powers))
+    listed = irreducible_factors(A)
+    powers = [polynomial(p, x) ** m for p, m in listed]
+    if listed and listed[0][0].domain.is_QQ:
+        return product_of_powers(sp.S.One, powers)
+    return sp.Mul(*sorted(powers, key=sp.default_sort_key))
 
 
 def polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.numeric.evaluation import multiple_precision
-from solver.numeric.evaluation.values import Undefined
+from solver.numeric.evaluation.values import Undefined, Value
 
 Array = NDArray[Any]
 
@@ -113,13 +113,13 @@ class Double:
             raise Undefined("the matrix to invert is singular") from singular
         return np.asarray(scaled * columns[:, :, None] * rows[:, None, :])
 
-    def exponential(self, M: Array) -> tuple[Array, Array]:
-        """e^M at each point and its magnitude, by scipy.linalg.expm."""
+    def exponential(self, M: Array) -> Value:
+        """e^M at each point, by scipy.linalg.expm."""
         from scipy.linalg import expm  # noqa: PLC0415 - 150 ms that most checks do not need
 
         if not np.all(np.isfinite(M)):
             raise Undefined("the exponent is not finite")
-        return expm(M), np.abs(expm(np.abs(M))) * (1.0 + np.abs(M).sum(axis=(1, 2)))[:, None, None]
+        return Value(expm(M), lambda: np.abs(expm(np.abs(M))) * (1.0 + np.abs(M).sum(axis=(1, 2)))[:, None, None])
 
 
 class Multiple:
@@ -183,11 +183,11 @@ class Multiple:
         """M⁻¹ at each point, by elimination; raises Undefined where M is singular."""
         return np.stack([multiple_precision.inverse(each) for each in M])
 
-    def exponential(self, M: Array) -> tuple[Array, Array]:
-        """e^M at each point and its magnitude, by the Taylor series in whole numbers."""
-        pairs = [multiple_precision.exponential(each, self.context) for each in M]
-        values = np.stack([value for value, _ in pairs])
-        return values, np.stack([error for _, error in pairs]) / self.eps + self.size(values)
+    def exponential(self, M: Array) -> Value:
+        """e^M at each point, by the Taylor series in whole numbers."""
+        found = [multiple_precision.exponential(each, self.context) for each in M]
+        values = np.stack([value for value, _ in found])
+        return Value(values, lambda: np.stack([error() for _, error in found]) / self.eps + self.size(values))
 
     def _each(self, function: Callable[[Any], Any]) -> Any:
         return np.frompyfunc(function, 1, 1)

@@ -141,7 +141,7 @@ def claim_residual(
 
 
 def _point_by_point(
-    judge: Any, source: PointSource, limited: list[Stated], points: list[Point]
+    judge: Any, source: PointSource, limited: list[Stated], points: Sequence[Point]
 ) -> tuple[Residual, int]:
     """Return what worst_residual does, with other points for those at which a side has no value."""
     results: list[tuple[Residual, int]] = []
@@ -161,11 +161,13 @@ def _point_by_point(
     )
 
 
-def _in_reach(points: Sequence[Point], limited: list[Stated]) -> list[Point]:
+def _in_reach(points: Sequence[Point], limited: list[Stated]) -> Sequence[Point]:
     """Move symbols to where the operations have values: the s of a Laplace integral to where it converges.
 
     Those that doubles can take only so far, like the t of an inversion integral, are scaled to 7 … 100 % of that.
     """
+    if not limited:
+        return points
     reach: dict[Any, Any] = {}
     for formula in limited:
         if admitted := about(formula.operation, "admitted"):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Arithmetic
@@ -14,11 +16,15 @@ def multiply(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
     if left.is_matrix and right.is_matrix:
         if left.value.shape[2] != right.value.shape[1]:
             raise _misfit("a product of matrices {left} and {right}", left, right)
-        magnitude = arithmetic.size(left.value) @ right.magnitude + left.magnitude @ arithmetic.size(right.value)
-        return Value(left.value @ right.value, magnitude)
-    left, right = aligned(left, right)
-    magnitude = arithmetic.size(left.value) * right.magnitude + left.magnitude * arithmetic.size(right.value)
-    return Value(np.multiply(left.value, right.value), magnitude)
+        combined = np.matmul
+    else:
+        (left, right), combined = aligned(left, right), np.multiply
+
+    def magnitude() -> Any:
+        size = arithmetic.size
+        return combined(size(left.value), right.magnitude) + combined(left.magnitude, size(right.value))
+
+    return Value(combined(left.value, right.value), magnitude)
 
 
 def aligned(left: Value, right: Value) -> tuple[Value, Value]:
@@ -34,8 +40,11 @@ def _deepened(scalar: Value, depth: int) -> Value:
     if np.ndim(scalar.value) != 1 or depth < 2:
         return scalar
     axes = (slice(None), *(None for _ in range(depth - 1)))
-    magnitude = scalar.magnitude
-    return Value(scalar.value[axes], magnitude[axes] if np.ndim(magnitude) else magnitude)
+
+    def magnitude() -> Any:
+        return scalar.magnitude[axes] if np.ndim(scalar.magnitude) else scalar.magnitude
+
+    return Value(scalar.value[axes], magnitude)
 
 
 def _misfit(pattern: str, left: Value, right: Value) -> ShapeMismatch:
@@ -52,4 +61,4 @@ def add(left: Value, right: Value) -> Value:
     if (shape_of(left) or (1, 1)) != (shape_of(right) or (1, 1)):
         raise _misfit("a sum of matrices {left} and {right}", left, right)
     left, right = aligned(left, right)
-    return Value(np.add(left.value, right.value), left.magnitude + right.magnitude)
+    return Value(np.add(left.value, right.value), lambda: left.magnitude + right.magnitude)

@@ -2,6 +2,7 @@
 
 The residual of an entry is |l − r| / max(|l|, |r|, n/τ) with n the noise that rounding explains and τ the tolerance;
 so it is at most τ if and only if the entry agrees to τ relative to its own size, or the difference is mere noise.
+Where all entries clearly agree nobody asks for the noise, and n is 0.
 """
 
 from __future__ import annotations
@@ -21,6 +22,9 @@ from solver.words import Phrase
 
 QUIET = 1e-10
 """Noise up to this absolute size is low enough to tell that what is stated to be zero is zero."""
+
+CLEARLY = 1e-2
+"""Values that are so much nearer than they must be agree, whatever rounding might explain."""
 
 MANY = (30, 50, 100)
 """Digits with which it is tried to settle what doubles leave open."""
@@ -48,19 +52,21 @@ def residuals(
         raise ShapeMismatch(Phrase("the shapes differ: {left} and {right}", left=sizes[0], right=sizes[1]))
     if 0 in l_shape:
         return np.zeros((points, 0)), np.ones((points, 0), dtype=bool)
-    (l_value, l_size), (r_value, r_size) = _flat(left, points), _flat(right, points)
+    left, right = (_flat(side, points) for side in (left, right))
+    l_value, r_value = left.value, right.value
     difference = arithmetic.size(l_value - r_value)
     size = np.maximum(arithmetic.size(l_value), arithmetic.size(r_value))
     if arithmetic is not DOUBLE:
         difference = np.where(l_value == r_value, 0.0, difference)  # ∞ = ∞
-    noise = SAFETY * arithmetic.eps * (l_size + r_size)
+    clear = difference <= CLEARLY * tolerance * size
+    if clear.all() and not np.isinf(size).any():
+        return difference / np.where(size == 0, 1.0, size), clear
+    noise = SAFETY * arithmetic.eps * (left.magnitude + right.magnitude)
     scale = np.maximum(size, noise / tolerance)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))  # the noise may be unknown
     if arithmetic is not DOUBLE and np.isinf(size).any():
         residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
     agree = difference <= tolerance * size
-    if arithmetic is DOUBLE and agree.all():
-        return residual, agree
     zero = (l_value == 0) | (r_value == 0)
     settled = agree | (zero & (difference <= noise) & (noise <= QUIET))
     hidden = ~agree & (difference <= noise) & (noise > 1e-3 * np.maximum(size, 1.0))
@@ -75,10 +81,10 @@ def _infinite(values: Array) -> Array:
         return np.asarray((values == 2 * values) & (values != 0), dtype=bool)
 
 
-def _flat(value: Value, points: int) -> tuple[Array, Array]:
+def _flat(value: Value, points: int) -> Value:
     """Return values and magnitudes as arrays (P, entries)."""
-    shown, size = filled(value, points)
-    return shown.reshape(points, -1), size.reshape(points, -1)
+    full = filled(value, points)
+    return Value(full.value.reshape(points, -1), lambda: full.magnitude.reshape(points, -1))
 
 
 def worst_residual(sides: Sides, points: Sequence[Point], precision: Precision = DECIMALS) -> tuple[Residual, int]:

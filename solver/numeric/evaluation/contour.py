@@ -118,12 +118,15 @@ def mean_on_circle(
     F = walk(image, environment.spread(variable, nodes))
     arithmetic = environment.arithmetic
     points, count = nodes.shape
-    value, magnitude = gathered(F, points, count)
-    factor = (weights * turned.times).reshape((points, count, *(1 for _ in value.shape[2:])))
-    # what the rule itself leaves out, beside the rounding of the values
-    left_out = arithmetic.size(value) * (accuracy(arithmetic) / arithmetic.eps)
-    size = arithmetic.size(factor)
-    mean = (value * factor).sum(axis=1) / turned.number
+    samples = gathered(F, points, count)
+    factor = (weights * turned.times).reshape((points, count, *(1 for _ in samples.value.shape[2:])))
+    mean = (samples.value * factor).sum(axis=1) / turned.number
     if count < turned.number:
         mean = arithmetic.apply("re", mean)
-    return Value(mean, ((magnitude + left_out) * size).sum(axis=1) / turned.number)
+
+    def magnitude() -> Array:
+        # what the rule itself leaves out, beside the rounding of the values
+        left_out = arithmetic.size(samples.value) * (accuracy(arithmetic) / arithmetic.eps)
+        return ((samples.magnitude + left_out) * arithmetic.size(factor)).sum(axis=1) / turned.number
+
+    return Value(mean, magnitude)

@@ -57,13 +57,18 @@ class Environment:
 
     def stack(self, entries: list[Value], shape: tuple[int, ...]) -> Value:
         """Return the array (P, *shape) of scalars given in row-major order."""
-        value = np.empty((self.points, len(entries)), dtype=self.arithmetic.dtype)
-        magnitude = np.empty((self.points, len(entries)))
+        table, full = (self.points, len(entries)), (self.points, *shape)
+        value = np.empty(table, dtype=self.arithmetic.dtype)
         for i, entry in enumerate(entries):
             value[:, i] = entry.value
-            magnitude[:, i] = entry.magnitude
-        full = (self.points, *shape)
-        return Value(value.reshape(full), magnitude.reshape(full))
+
+        def magnitude() -> Array:
+            sizes = np.empty(table)
+            for i, entry in enumerate(entries):
+                sizes[:, i] = entry.magnitude
+            return sizes.reshape(full)
+
+        return Value(value.reshape(full), magnitude)
 
 
 MOST_KEPT = 1000
@@ -85,9 +90,16 @@ class Environments:
 
     def __init__(self) -> None:
         self._known: dict[Any, Environment] = {}
+        self._met: dict[tuple[int, Arithmetic], tuple[Any, Environment]] = {}
 
     def at(self, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic) -> Environment:
-        """Return the environment of these points."""
+        """Return the environment of these points, which are not changed from now on."""
+        met = self._met.get((id(points), arithmetic))  # most claims are tried at the very same points
+        if met is None:
+            met = self._met[id(points), arithmetic] = points, self._environment(points, arithmetic)
+        return met[1]
+
+    def _environment(self, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic) -> Environment:
         key = (arithmetic, tuple(tuple(point.items()) for point in points))
         if key not in self._known:
             environment = self._known[key] = _kept(*key)

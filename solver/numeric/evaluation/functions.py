@@ -74,8 +74,13 @@ def _cut(expression: Any, environment: Environment) -> Value:
 
 def _with_slope(value: Any, argument: Value, slope: Slope, environment: Environment) -> Value:
     """f(a) with magnitude |f(a)| + |f'(a)| m."""
-    steep = np.abs(slope(environment.arithmetic.approximate(argument.value) + 0j))
-    return Value(value, environment.arithmetic.size(value) + steep * argument.magnitude)
+    arithmetic = environment.arithmetic
+
+    def magnitude() -> Any:
+        steep = np.abs(slope(arithmetic.approximate(argument.value) + 0j))
+        return arithmetic.size(value) + steep * argument.magnitude
+
+    return Value(value, magnitude)
 
 
 @rule(sp.Abs)

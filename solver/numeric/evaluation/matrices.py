@@ -34,6 +34,10 @@ def hadamard(magnitude: Array) -> Array:
 def inverted(M: Value, arithmetic: Arithmetic) -> Value:
     """M⁻¹ with magnitude |M⁻¹| m |M⁻¹|, m the largest magnitude in M: elimination spreads rounding to zeros too."""
     value = arithmetic.inverse(M.value)
-    size = arithmetic.size(value)
-    largest = M.magnitude.max(axis=(1, 2), keepdims=True)
-    return Value(value, size + largest * size.sum(axis=2, keepdims=True) * size.sum(axis=1, keepdims=True))
+
+    def magnitude() -> Array:
+        size = arithmetic.size(value)
+        largest = M.magnitude.max(axis=(1, 2), keepdims=True)
+        return np.asarray(size + largest * size.sum(axis=2, keepdims=True) * size.sum(axis=1, keepdims=True))
+
+    return Value(value, magnitude)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import ceil, factorial, isqrt, log2
 from typing import Any
 
@@ -96,8 +97,8 @@ def _length(column: Array, context: Any) -> Any:
     return context.sqrt(context.fsum(column, absolute=True, squared=True))
 
 
-def exponential(M: Array, context: Any) -> tuple[Array, Array]:
-    """Return e^M (mpmath numbers) and the absolute error of each entry (floats).
+def exponential(M: Array, context: Any) -> tuple[Array, Callable[[], Array]]:
+    """Return e^M (mpmath numbers) and, when it is called, the absolute error of each entry (floats).
 
     Balancing, scaling, Taylor series and squaring in fixed point with Python's whole numbers. The error is measured:
     the difference from a second run with fewer bits and M rounded to 15 bits less; not less than the last bit of that.
@@ -115,12 +116,14 @@ def exponential(M: Array, context: Any) -> tuple[Array, Array]:
     halvings = max(0, ceil(log2(norm)) + 4) if norm > 0 else 0
     bits = context.prec + 4 * halvings + 64
     fine = _fixed_point(_rounded(real, context.prec, context), shifts, halvings, bits, context)
-    coarse = _fixed_point(_rounded(real, context.prec - 15, context), shifts, halvings, bits - 64, context)
-    error = np.asarray(np.abs(fine - coarse), dtype=float) + np.ldexp(1.0, np.maximum(shifts - bits + 64, -1000))
-    if len(fine) > n:
-        fine = fine[:n, :n] + context.mpc(0, 1) * fine[n:, :n]
-        error = error[:n, :n] + error[n:, :n]
-    return np.frompyfunc(context.mpc, 1, 1)(fine), error
+
+    def error() -> Array:
+        coarse = _fixed_point(_rounded(real, context.prec - 15, context), shifts, halvings, bits - 64, context)
+        found = np.asarray(np.abs(fine - coarse), dtype=float) + np.ldexp(1.0, np.maximum(shifts - bits + 64, -1000))
+        return found[:n, :n] + found[n:, :n] if len(fine) > n else found
+
+    value = fine[:n, :n] + context.mpc(0, 1) * fine[n:, :n] if len(fine) > n else fine
+    return np.frompyfunc(context.mpc, 1, 1)(value), error
 
 
 def _balance(sizes: Array) -> Array:

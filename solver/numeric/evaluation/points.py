@@ -21,7 +21,7 @@ from solver.symbols import COMPLEX, CONTINUOUS
 
 SEED = 20_011  # any constant will do
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
-BINDS_NOTHING = (sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix)
+BINDS_NOTHING = frozenset({sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix, sp.exp, sp.sin, sp.cos})
 
 _typed: ContextVar[bool] = ContextVar("typed", default=False)
 MANY_BITS = 150
@@ -56,13 +56,25 @@ def _symbols_in(expression: sp.Basic) -> frozenset[Any]:
     return _made_of(expression)[0]
 
 
-@lru_cache(maxsize=8192)
+@lru_cache(maxsize=4096)
 def _made_of(expression: sp.Basic) -> tuple[frozenset[Any], bool]:
     """Return the free symbols, and whether there are decimals of fewer bits than an oracle's own."""
-    if isinstance(expression, BINDS_NOTHING):  # sympy would go through the whole expression each time
-        found = [_made_of(part) for part in expression.args]
-        return frozenset().union(*(symbols for symbols, _ in found)), any(decimals for _, decimals in found)
-    return frozenset(expression.free_symbols), any(each._prec < MANY_BITS for each in expression.atoms(sp.Float))
+    symbols, decimals = set[Any](), False
+    left: list[Any] = [expression]
+    seen = set[int]()
+    while left:
+        part = left.pop()
+        if id(part) in seen:  # expressions share what they are made of
+            continue
+        seen.add(id(part))
+        if type(part) in BINDS_NOTHING:
+            left.extend(part.args)
+        elif isinstance(part, sp.Float):
+            decimals = decimals or part._prec < MANY_BITS
+        elif not part.is_Number:
+            symbols |= part.free_symbols
+            decimals = decimals or any(each._prec < MANY_BITS for each in part.atoms(sp.Float))
+    return frozenset(symbols), decimals
 
 
 @contextmanager

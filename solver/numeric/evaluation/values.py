@@ -7,7 +7,8 @@ Accuracy and Stability of Numerical Algorithms, section 3.3).
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -44,14 +45,30 @@ class ShapeMismatch(_Told):
     """A formula joins matrices whose shapes do not fit."""
 
 
-class Value(NamedTuple):
+class Value:
     """Values at P points: a scalar has shape () or (P,), a matrix (P, rows, columns), a list of k scalars (P, k).
 
-    `magnitude` has the shape of `value` or broadcasts to it; real numbers (floats), not negative.
+    `magnitude` has the shape of `value` or broadcasts to it; real numbers (floats), not negative. It may be given as a
+    function, which is called when it is asked for: where values agree, nobody asks what rounding might explain.
     """
 
-    value: Any
-    magnitude: Any
+    __slots__ = ("_magnitude", "value")
+
+    def __init__(self, value: Any, magnitude: Any | Callable[[], Any]) -> None:
+        self.value = value
+        self._magnitude = magnitude
+
+    @property
+    def magnitude(self) -> Any:
+        """The size of what was added up to get the value."""
+        if callable(self._magnitude):
+            with np.errstate(all="ignore"):
+                self._magnitude = self._magnitude()
+        return self._magnitude
+
+    def __iter__(self) -> Iterator[Any]:
+        yield self.value
+        yield self.magnitude
 
     @property
     def is_matrix(self) -> bool:
@@ -67,10 +84,14 @@ def shape_of(value: Value) -> tuple[int, ...]:
 def filled(value: Value, points: int) -> Value:
     """Return the value with an entry at each of P points for all that broadcasts, in both arrays."""
     full = (points, *np.shape(value.value)[1:])
-    return Value(*(part if np.shape(part) == full else np.broadcast_to(part, full) for part in value))
+    return Value(_spread_to(full, value.value), lambda: _spread_to(full, value.magnitude))
+
+
+def _spread_to(shape: tuple[int, ...], part: Any) -> Any:
+    return part if np.shape(part) == shape else np.broadcast_to(part, shape)
 
 
 def gathered(value: Value, points: int, count: int) -> Value:
     """Return values at N samples for each of P points, found all at once (P·N, …), as arrays (P, N, …)."""
-    shape = (points, count, *np.shape(value.value)[1:])
-    return Value(*(part.reshape(shape) for part in filled(value, points * count)))
+    shape, full = (points, count, *np.shape(value.value)[1:]), filled(value, points * count)
+    return Value(full.value.reshape(shape), lambda: full.magnitude.reshape(shape))

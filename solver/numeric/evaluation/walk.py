@@ -66,7 +66,7 @@ def _rule_of_base(cls: type) -> Rule:
 
 def exactly(value: Any, arithmetic: Arithmetic) -> Value:
     """Return a value rounded once."""
-    return Value(value, arithmetic.size(value))
+    return Value(value, lambda: arithmetic.size(value))
 
 
 @rule(sp.Symbol)
@@ -126,12 +126,10 @@ def _root_of(root: Any, environment: Environment) -> Value:
 @rule(sp.Add)
 def _add(expression: Any, environment: Environment) -> Value:
     value: Any = 0
-    magnitude: Any = 0.0
-    for term in expression.args:
-        part = walk(term, environment)
+    parts = [walk(term, environment) for term in expression.args]
+    for part in parts:
         value = part.value + value  # in this order: a constant of mpmath on the left of an array is slow
-        magnitude = magnitude + part.magnitude
-    return Value(value, magnitude)
+    return Value(value, lambda: sum((part.magnitude for part in parts), 0.0))
 
 
 @rule(sp.Mul)
@@ -145,8 +143,11 @@ def _multiply(expression: Any, environment: Environment) -> Value:
 
 def times(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
     """Return the product of scalars; an error of one is multiplied by the size, not by the error, of the other."""
-    l_size, r_size = arithmetic.size(left.value), arithmetic.size(right.value)
-    return Value(left.value * right.value, l_size * right.magnitude + left.magnitude * r_size)
+
+    def magnitude() -> Any:
+        return arithmetic.size(left.value) * right.magnitude + left.magnitude * arithmetic.size(right.value)
+
+    return Value(left.value * right.value, magnitude)
 
 
 @rule(sp.Pow)
@@ -162,18 +163,21 @@ def _power(expression: Any, environment: Environment) -> Value:
 
 def whole_power(base: Value, exponent: int, arithmetic: Arithmetic) -> Value:
     """Bⁿ of a scalar and a whole n."""
-    if exponent >= 0:
-        rest = arithmetic.size(base.value) ** max(0, exponent - 1)
-        return Value(base.value**exponent, max(1, exponent) * base.magnitude ** min(1, exponent) * rest)
     value = base.value**exponent
-    relative = base.magnitude / floored(base, arithmetic)
-    return Value(value, arithmetic.size(value) * (1.0 - exponent * relative))
+
+    def magnitude() -> Any:
+        if exponent < 0:
+            return arithmetic.size(value) * (1.0 - exponent * (base.magnitude / floored(base, arithmetic)))
+        rest = arithmetic.size(base.value) ** max(0, exponent - 1)
+        return max(1, exponent) * base.magnitude ** min(1, exponent) * rest
+
+    return Value(value, magnitude)
 
 
 def square_root(base: Value, arithmetic: Arithmetic) -> Value:
     """√b, the principal value; near b = 0 its error is the root of the error of b."""
     value = arithmetic.apply("sqrt", on_the_cut(base, arithmetic))
-    return Value(value, arithmetic.size(value) + base.magnitude / np.sqrt(floored(base, arithmetic)))
+    return Value(value, lambda: arithmetic.size(value) + base.magnitude / np.sqrt(floored(base, arithmetic)))
 
 
 def general_power(base: Value, exponent: Value, arithmetic: Arithmetic) -> Value:

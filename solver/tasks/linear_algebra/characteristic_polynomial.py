@@ -10,7 +10,7 @@ from solver.arithmetic.products import is_worked_out, rows_times_columns
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
-from solver.matrices import entries
+from solver.matrices import entries, identity
 from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
@@ -91,11 +91,10 @@ def _factors_in_sight(A: ImmutableMatrix, pencil: ImmutableMatrix, x: Symbol) ->
     """
     found, rest = [], pencil
     while rest.rows > 2 and not determinants.is_triangular(rest):
-        left = determinants.along_row(rest)
-        if len(left) != 1:
+        if determinants.most_zeros_in_a_row(rest) != rest.cols - 1:
             return []
-        found.append(left[0][0])
-        rest = left[0][1]
+        ((entry, rest),) = determinants.along_row(rest)
+        found.append(entry)
     if not found:
         return []
     whole = determinants.is_triangular(rest)
@@ -119,7 +118,7 @@ def pencil_of(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
     """The matrix xI − A; returns it."""
     pencil = exact.pencil(A, x)
     says = "the matrix whose determinant is taken"
-    claims = {"pencil": Claim(difference(product(x, sp.eye(A.rows)), A), pencil, says)}
+    claims = {"pencil": Claim(difference(product(x, identity(A.rows)), A), pencil, says)}
     yield Step("pencil", claims=claims, x=x, A=A, pencil=pencil)
     return pencil
 

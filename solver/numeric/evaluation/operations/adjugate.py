@@ -36,9 +36,13 @@ def _by_minors(M: Value, environment: Environment) -> Value:
     if n == 1:
         return Value(np.full_like(M.value, environment.arithmetic.number(1)), np.ones_like(M.magnitude))
     rows, columns, signs = _places_of_minors(n)
-    minors, sizes = (part[:, rows, columns].reshape(-1, n - 1, n - 1) for part in M)
+
+    def minors(part: Array) -> Array:
+        return part[:, rows, columns].reshape(-1, n - 1, n - 1)
+
     shape = (environment.points, n, n)
-    return Value(environment.arithmetic.determinant(minors).reshape(shape) * signs, hadamard(sizes).reshape(shape))
+    value = environment.arithmetic.determinant(minors(M.value)).reshape(shape) * signs
+    return Value(value, lambda: hadamard(minors(M.magnitude)).reshape(shape))
 
 
 @cache

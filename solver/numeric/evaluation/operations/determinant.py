@@ -17,7 +17,7 @@ ORACLE = Oracle(30, "numpy.linalg.det")
 def evaluate(environment: Environment, matrix: Any) -> Value:
     """Det M, rounding within Hadamard's bound of |M|."""
     M = square(matrix, environment)
-    return Value(environment.arithmetic.determinant(M.value), hadamard(M.magnitude))
+    return Value(environment.arithmetic.determinant(M.value), lambda: hadamard(M.magnitude))
 
 
 poles = poles_of_operands

@@ -16,7 +16,7 @@ ENTRYWISE = True
 def evaluate(environment: Environment, left: Any, right: Any) -> Value:
     """L − R."""
     subtrahend = walk(right, environment)
-    return add(walk(left, environment), Value(-subtrahend.value, subtrahend.magnitude))
+    return add(walk(left, environment), Value(-subtrahend.value, lambda: subtrahend.magnitude))
 
 
 poles = poles_of_operands

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.matrices import square
 from solver.numeric.evaluation.stated import Oracle
@@ -21,8 +22,12 @@ def evaluate(environment: Environment, exponent: Any) -> Value:
     arithmetic = environment.arithmetic
     if X.is_matrix:
         X = square(exponent, environment)
-        value, magnitude = arithmetic.exponential(X.value)
-        cancelled = X.magnitude / floored(X, arithmetic)
-        return Value(value, magnitude * np.maximum(1.0, cancelled.max(axis=(1, 2), keepdims=True)))
+        found, exponents = arithmetic.exponential(X.value), X
+
+        def magnitude() -> Array:
+            cancelled = exponents.magnitude / floored(exponents, arithmetic)
+            return np.asarray(found.magnitude * np.maximum(1.0, cancelled.max(axis=(1, 2), keepdims=True)))
+
+        return Value(found.value, magnitude)
     value = arithmetic.apply("exp", X.value)
-    return Value(value, arithmetic.size(value) * (1.0 + X.magnitude))
+    return Value(value, lambda: arithmetic.size(value) * (1.0 + X.magnitude))

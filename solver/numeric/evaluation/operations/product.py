@@ -22,7 +22,7 @@ def evaluate(environment: Environment, *factors: Any) -> Value:
     if not factors:
         return Value(arithmetic.number(1), 1.0)
     first, *others = (walk(factor, environment) for factor in factors)
-    result = Value(first.value, first.magnitude + arithmetic.size(first.value))
+    result = Value(first.value, lambda: first.magnitude + arithmetic.size(first.value))
     for other in others:
         result = multiply(result, other, arithmetic)
     return result
