@@ -9,7 +9,7 @@ from solver.classroom.reading.linear_sums import coefficients, terms
 
 _LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$", re.DOTALL)
 _STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
-_REFERENCE = re.compile(r"\s*\+\s*[rvw](?:\([tk]\)|\[k\])?\s*$")
+_REFERENCE = re.compile(r"\s*\+\s*(?:(?:[A-Z]_?\w?|[\d./]+)\s*[*·]?\s*)?[rvw](?:\([tk]\)|\[k\])?\s*$")
 _BEFORE = re.compile(r"^\s*[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
 _SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")

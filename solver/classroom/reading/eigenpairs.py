@@ -1,61 +1,75 @@
 """Eigenvectors told with the eigenvalues they belong to: λ = -1: (1, -1); v(-1) = (1, -1); (1, -1) for λ = -1.
 
 What a text says is a sequence of eigenvalues and vectors. Either each eigenvalue stands before its vectors, or behind
-its one vector. The eigenvalues are kept: a vector that is told for another one than its own is wrong.
+its one vector. The eigenvalues are kept: a vector that is told for another one than its own is wrong. What programs
+print of both is in `printed_pairs`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from solver.classroom.reading.brackets import enclosed, matching, split
+from solver.classroom.reading.linear_sums import with_plain_indices
+from solver.classroom.reading.printed_pairs import Pair, printed_pairs
 
 _VALUE = r"[-+−±\d./√()*\sijI^πe]|sqrt"
 _LAMBDA = r"(?:\\?lam(?:b?d)a|λ|μ|s|z|p)"
-_INDEX = r"_?\{?[\d₁-₉]*(?:\s*[,/]\s*\d)?\}?"
+_INDEX = r"_?\{?[\d]*(?:\s*[,/]\s*\d)?\}?"
 _SEPARATOR = re.compile(
     r"\s*(?P<told>:(?!=)|→|->|⇒|=>|⟹|↦|\|->)\s*|\s*[,;\n]\s*|\s+(?:and|und)\s+"
-    r"|(?<=[\s)\]}'ᵀT])(?:for|für|zu|zum|bei|to|with|mit|hat|has|belongs to|gehört zu)\s+"
+    r"|\s+(?P<says>gives|yields|is|has|liefert|ergibt|ist|hat)\s+(?:the\s+|den\s+)?"
+    r"|(?<=[\s)\]}'ᵀT])(?:for|für|zu|zum|bei|to|with|mit|belongs to|gehört zu)\s+"
 )
 _WORDS = re.compile(
-    r"^(?:(?:for|für|zu|zum|bei|to|with|mit|the|der|die|hat|has|an|ein|eigen-?vectors?|eigen-?vektor(?:en)?|EV|vector|vektor"
-    r"|eigen-?space|eigenraum|basis)\b\.?\s*(?:is|ist|=)?\s*)+",
+    r"^(?:(?:for|für|zu|zum|bei|to|with|mit|the|der|die|den|an|ein|eigen-?vectors?|eigen-?vektor(?:en)?|EV|vector|vektor"
+    r"|eigen-?space|eigenraum|basis)\b\.?\s*=?\s*)+",
     re.IGNORECASE,
 )
 _EIGENVALUE = re.compile(
-    rf"(?:(?:eigenvalue|eigenwert|EW|root)\s*(?:{_LAMBDA}{_INDEX}\s*=)?|{_LAMBDA}{_INDEX}\s*=)\s*((?:{_VALUE})+)",
+    rf"(?:(?:eigenvalue|eigenwert|EW|root)\s*(?:({_LAMBDA}{_INDEX})\s*=)?|({_LAMBDA}{_INDEX})\s*=)\s*((?:{_VALUE})+)",
     re.IGNORECASE,
 )
 _BARE = re.compile(rf"(?:{_VALUE})+")
 _ARGUMENT = re.compile(
-    rf"(?:v|w|x|u|q|E|V|N|Eig|eig|ker)\s*_?\s*[({{]\s*(?:A\s*[,;]\s*)?(?:{_LAMBDA}\s*=)?\s*((?:{_VALUE})+?)\s*[)}}]\s*[:=]\s*"
+    r"(?:v|w|x|u|q|E|V|N|Eig|eig|ker)\s*_?\s*[({]\s*(?:A\s*[,;]\s*)?"
+    rf"(?:{_LAMBDA}\s*=)?\s*((?:{_VALUE})+?)\s*[)}}]\s*[:=]\s*"
 )
-_NAMED = re.compile(rf"\\?[^\W\d_]\w{{0,3}}?{_INDEX}\s*(?::=|=)\s*(?=\S)")
+_NAMED = re.compile(rf"\\?[^\W\d_]\w{{0,3}}?({_INDEX})\s*(?::=|=)\s*(?=\S)")
+_FACTOR = re.compile(r"^[a-zα-ω]_?\d?\s*[*·]?\s*(?=[(\[])")
 _SPAN = re.compile(r"(?:span|lin|LH)\s*(?=[({\[<])", re.IGNORECASE)
 _MAKER = re.compile(r"^(?:\w+\.)*(?:Immutable)?(?:Dense)?(?:[Mm]atrix|n?d?array)\s*\((.*)\)$", re.DOTALL)
 _TURNED = re.compile(r"\s*(?:\.?['’′]|\^\{?\(?\s*(?:T|\\top)\s*\)?\}?|ᵀ|\.T|\^⊤)$")
 _BEHIND = re.compile(rf"\s*\(\s*((?:{_LAMBDA}{_INDEX}\s*=|eigenvalue|eigenwert|EW)[^()]*)\)$", re.IGNORECASE)
 _SIGNS = re.compile(r"[±∓]|\\pm|\\mp")
 MOST_VECTORS = 12
-MAX_CHARACTERS = 2000
-
-Item = tuple[str, str]
-"""An eigenvalue ("value") or a vector ("vector") with its text."""
+MOST_CHARACTERS = 2000
 
 
-def eigenpairs(text: str) -> list[Item]:
+class Item(NamedTuple):
+    """What a piece says: an eigenvalue ("value"), a vector, or "" for neither; with its name, or its index."""
+
+    kind: str
+    text: str
+    name: str = ""
+
+
+def eigenpairs(text: str) -> list[Pair]:
     """Return eigenvalues with their eigenvectors, as texts, an eigenvalue as often as it has vectors.
 
     Nothing of a text that holds anything else.
     """
-    if len(text) > MAX_CHARACTERS:
+    if len(text) > MOST_CHARACTERS:
         return []
-    inside = text.strip()
+    inside = with_plain_indices(text).strip()
+    if printed := printed_pairs(inside):
+        return printed if len(printed) <= MOST_VECTORS else []
     if enclosed(inside, "{}") or enclosed(inside):
         inside = inside[1:-1]
-    items = _triples(inside) or list(_items(inside))
-    if not items or any(kind == "" for kind, _ in items):
+    items = list(_items(inside))
+    if not items or any(each.kind == "" for each in items):
         return []
     pairs = _paired(items)
     return [each for pair in pairs for each in _both(*pair)] if 0 < len(pairs) <= MOST_VECTORS else []
@@ -63,13 +77,13 @@ def eigenpairs(text: str) -> list[Item]:
 
 def _items(text: str) -> Iterator[Item]:
     """What the pieces of a text say; an item without a kind where one says neither."""
-    pieces, at = list[tuple[str, bool]](), 0
+    pieces, at, before = list[tuple[str, bool]](), 0, False
     for end, start, told in _cuts(text):
-        pieces.append((text[at:end], told))
-        at = start
-    for piece, told in [*pieces, (text[at:], False)]:
-        if piece.strip(" ."):
-            yield from _said(_WORDS.sub("", piece.strip(" .")), told=told)
+        pieces.append((text[at:end], told or before))
+        at, before = start, told
+    for piece, told in [*pieces, (text[at:], before)]:
+        if said := _WORDS.sub("", piece.strip(" .")):
+            yield from _said(said, told=told)
 
 
 def _cuts(text: str) -> Iterator[tuple[int, int, bool]]:
@@ -79,7 +93,7 @@ def _cuts(text: str) -> Iterator[tuple[int, int, bool]]:
         if text[at] in "([{":
             at = matching(text, at) + 1
         elif found := _SEPARATOR.match(text, at):
-            yield at, found.end(), found["told"] is not None
+            yield at, found.end(), bool(found["told"] or found["says"])
             at = max(found.end(), at + 1)
         else:
             at += 1
@@ -91,76 +105,84 @@ def _said(piece: str, *, told: bool) -> Iterator[Item]:
         yield from _said(piece[: behind.start()], told=False)
         piece = behind[1]
     if found := _ARGUMENT.match(piece):
-        yield "value", found[1].strip()
+        yield Item("value", found[1].strip())
         piece = piece[found.end() :]
     if found := _EIGENVALUE.fullmatch(piece):
-        yield "value", found[1].strip()
-    elif told and _BARE.fullmatch(piece) and any(map(str.isdigit, piece)):
-        yield "value", piece.strip()
+        yield Item("value", found[3].strip(), found[1] or found[2] or "")
+    elif told and _BARE.fullmatch(piece) and not enclosed(piece, "()") and any(map(str.isdigit, piece)):
+        yield Item("value", piece.strip())
     else:
-        vectors = _vectors(piece)
-        yield from (("vector", each) for each in vectors) if vectors else [("", piece)]
+        name = found[1] if (found := _NAMED.match(piece)) else ""
+        vectors = vectors_of(piece)
+        yield from (Item("vector", each, name.strip("_{}")) for each in vectors) if vectors else [Item("", piece)]
 
 
-def _vectors(piece: str) -> list[str]:
-    """The vectors of a piece, each in square brackets; nothing of anything else."""
+def vectors_of(piece: str) -> list[str]:
+    """Return the vectors of a piece, each in square brackets; nothing of anything else."""
     bare = piece.strip()
     if found := _NAMED.match(bare):
         bare = _WORDS.sub("", bare[found.end() :])
-    if found := _SPAN.match(bare):
-        bare = bare[found.end() :].strip()
-        inside = [each.strip() for each in split(bare[1:-1], ",")]
-        if inside and all(each[:1] in ("(", "[", "{") for each in inside):
-            return [vector for each in inside for vector in _vectors(each)]
-    bare = _TURNED.sub("", bare)
+    bare = _FACTOR.sub("", bare)
+    listed = _SPAN.match(bare)
+    bare = _TURNED.sub("", bare[listed.end() :] if listed else bare).strip()
     if found := _MAKER.match(bare):
         bare = found[1].strip()
-    while enclosed(bare) and enclosed(bare[1:-1].strip()):
-        bare = bare[1:-1].strip()
     if bare[:1] not in ("(", "[", "{") or matching(bare, 0) != len(bare) - 1:
         return []
-    several = len(split(bare[1:-1], re.compile(r"[,;]|(?<=\S)\s+(?=\S)|\n"))) > 1
-    return [f"[{bare[1:-1]}]"] if several else []
+    inside = bare[1:-1].strip()
+    pieces = [each.strip() for each in split(inside, ",")]
+    if all(each[:1] in ("(", "[", "{") or _MAKER.match(each) for each in pieces):
+        columns = [each[1:-1] for each in pieces if enclosed(each)]
+        if len(columns) == len(pieces) > 1 and all(len(split(each, re.compile(r"[,;\s]"))) == 1 for each in columns):
+            return [f"[{'; '.join(columns)}]"]
+        return [vector for each in pieces for vector in vectors_of(each)]
+    inside = inside.replace("|", ",") if "," not in inside else inside
+    several = len(split(inside, re.compile(r"[,;]|(?<=\S)\s+(?=\S)|\n"))) > 1
+    return [f"[{inside}]"] if several else []
 
 
-def _triples(text: str) -> list[Item]:
-    """The items of (-1, 1, [Matrix([[1], [-1]])]), … as sympy lists eigenvalues, multiplicities and vectors."""
-    found = list[Item]()
-    for piece in split(text, ","):
-        bare = piece.strip()
-        parts = [each.strip() for each in split(bare[1:-1], ",")] if enclosed(bare, "()") else []
-        if len(parts) != 3 or not parts[1].isdigit() or not enclosed(parts[2]):
-            return []
-        vectors = [vector for each in split(parts[2][1:-1], ",") for vector in _vectors(each)]
-        found += [("value", parts[0]), *(("vector", each) for each in vectors)]
-    return found
-
-
-def _paired(items: Sequence[Item]) -> list[tuple[str, str]]:
+def _paired(items: Sequence[Item]) -> list[Pair]:
     """Eigenvalues with their vectors: behind the eigenvalue, or before it where a vector comes first."""
-    texts = [text for _, text in items]
-    is_value = [kind == "value" for kind, _ in items]
+    is_value = [each.kind == "value" for each in items]
+    if not any(is_value):
+        return _by_index(items)
     if not is_value[0]:  # (1, -1) for λ = -1
         alternating = len(items) % 2 == 0 and all(each == (i % 2 == 1) for i, each in enumerate(is_value))
-        return list(zip(texts[1::2], texts[::2], strict=True)) if alternating else []
-    pairs, value, last = list[tuple[str, str]](), "", True
-    for text, here in zip(texts, is_value, strict=True):
-        if here and last and value:
+        return [(value.text, vector.text) for vector, value in zip(items[::2], items[1::2], strict=True)] * alternating
+    pairs, value, last = list[Pair](), Item("", ""), False
+    for each, here in zip(items, is_value, strict=True):
+        if here and last:
             return []  # an eigenvalue without a vector
         if here:
-            value = text
+            value = each
         else:
-            pairs.append((value, text))
+            pairs.append((value.text, _with_value(each.text, value)))
         last = here
     return [] if last else pairs
 
 
-def _both(value: str, vector: str) -> list[tuple[str, str]]:
+def _by_index(items: Sequence[Item]) -> list[Pair]:
+    """Vectors whose indices are no numbers 1, 2, …, and so tell eigenvalues: v_5 = (1, 1), v_2 = (1, -2)."""
+    indices = [each.name for each in items]
+    counted = sorted(indices) == [str(i) for i in range(1, len(items) + 1)]
+    if counted or not all(map(str.isdigit, indices)) or len(set(indices)) < len(indices):
+        return []
+    return [(each.name, each.text) for each in items]
+
+
+def _with_value(vector: str, value: Item) -> str:
+    """A vector with the eigenvalue in place of its name: (λ1, 1)."""
+    if not value.name:
+        return vector
+    return re.sub(rf"(?<![^\W\d]){re.escape(value.name)}(?!\w)", f"({value.text})", vector)
+
+
+def _both(value: str, vector: str) -> list[Pair]:
     """A pair; both of λ = -1 ± 2j: (1, -1 ± 2j)."""
     if not _SIGNS.search(value):
         return [(value, vector)]
-    return [(_signed(value, upper), _signed(vector, upper)) for upper in (True, False)]
+    return [(_signed(value, upper=upper), _signed(vector, upper=upper)) for upper in (True, False)]
 
 
-def _signed(text: str, upper: bool) -> str:
+def _signed(text: str, *, upper: bool) -> str:
     return _SIGNS.sub(lambda found: "+-"[(found[0] in ("∓", "\\mp")) == upper], text)

@@ -113,6 +113,15 @@ def multiplied(first: Node, second: Node) -> Node | None:
     return SequenceNode(first.place, tuple(SequenceNode(first.place, tuple(line)) for line in lines))
 
 
+def entrywise(first: Node, second: Node) -> Node | None:
+    """Return the product entry by entry of two matrices of one size; None of others."""
+    left, right = _rows(first), _rows(second)
+    if not left or [len(row) for row in left] != [len(row) for row in right]:
+        return None
+    lines = [[_dot(first, (a,), (b,)) for a, b in zip(*pair, strict=True)] for pair in zip(left, right, strict=True)]
+    return SequenceNode(first.place, tuple(SequenceNode(first.place, tuple(line)) for line in lines))
+
+
 def _rows(node: Node) -> list[tuple[ScalarNode, ...]]:
     """The rows of a matrix of texts, a flat list as one row; nothing of anything else."""
     items = node.items if isinstance(node, SequenceNode) else ()

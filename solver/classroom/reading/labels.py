@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 
 from solver.classroom.reading.brackets import enclosed, split
 from solver.classroom.reading.list_texts import with_every_index, with_named_conjugates
+from solver.classroom.reading.matrix_formulas import is_gain_at_zero, is_sampled, is_similar
 from solver.classroom.reading.terms import LABELS
 from solver.derivation import AnswerName
 from solver.problem.expressions.notation import FUNCTIONS, GREEK
@@ -46,13 +47,15 @@ _SHARED = re.compile(
     r"(?=[,;]\s*[^\W\d]\w*\{?\d*(?:[,/]\s*[\d₀-₉])*\}?\s*=|\s*$)"
 )
 _TWO = re.compile(r"±|∓|\\pm|\\mp|\+\s*/?\s*[-−]")
+_MARKS = re.compile(r"(?<=[A-Za-z])[~\u0302\u0303\u0304](?=\w?\s*=)")
+"""Ã and Ā for the A of other coordinates."""
 _COLUMNS = re.compile(r"^\s*\[[^\[\]=]*\]\s*=\s*(?=\[)")
 _MEMBER = re.compile(r"\s*\\?[^\W\d]\w*\s*(?:∈|\\in\b|\bin\b)\s*(?=\\?[{\[])")
 _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
 _CHANGES = re.compile(r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp)\s*\(")
 _DEFINED = re.compile(
-    r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
+    r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)'?|adj\s*/\s*det|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
     r"|\(\s*[sz]\s*I\s*-\s*A\s*\)\s*\^[({]?-1[)}]?|(?:∂|d\s?)\w+\s*/\s*(?:∂|d\s?)\w+|lim[\W_].*\)|[A-Za-z]_?∞"
     r"|e\^[({]?\s*A\s*[)}]?|A\^[({]?\w+[)}]?|[ΣP∑(\\].*(?:Δ|\\Delta).*/\s*(?:Δ|\\Delta)"
 )
@@ -60,18 +63,11 @@ _NAMES = re.compile(r"[\[({]\s*[^\W\d]\w*(?:\s*[,;\s]\s*[^\W\d]\w*)+\s*[\])}]")
 _LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞|1\s*/\s*\|[A-Z]\w*\(.*\)\|")
 _ARGUMENTS = re.compile(r"(?<=[\w}*'])\s*\(([^()=]*)\)$")
 _VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
-_OF_A = re.compile(r"(?=.*\bA\b)[\d\s+*/^(){}·−AIest-]+")
+_OF_A = re.compile(r"(?=.*(?<![A-Za-z])A(?![A-Za-z]))[\d\s+*/^(){}·−AIest-]+")
 """What is found from A: e^(-2t) (A + 3I) - e^(-3t) (A + 2I), A^2 + 3A + 2I."""
 _FOUND_BY = re.compile(r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|charpoly|poly|minreal|tf|ss2tf|step|lim)\b")
 _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
 _DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
-_SIMILAR = re.compile(r"\s*(?:(?:T\s*\^[({]?-1[)}]?|inv\(T\)|T\s*\\)\s*\*?\s*(?:A\s*\*?\s*T|B)|C\s*\*?\s*T)\s*")
-_AT_ZERO = re.compile(
-    r"(?:D\s*[-−]\s*|[-−]\s*)C\s*[*·]?\s*(?:A\s*(?:\^\s*[({]?-1[)}]?|⁻¹)|inv\(A\))\s*[*·]?\s*B(?:\s*\+\s*D)?"
-    r"|C\s*\(\s*-\s*A\s*\)\s*\^\s*[({]?-1[)}]?\s*B(?:\s*\+\s*D)?"
-)
-_OF_INVERSE = re.compile(r".*A\s*(?:\^\s*[({]?-1|⁻¹)|.*inv\(A\)")
-"""The gain at s = 0 by the matrices; what else has the inverse of A in it is no such gain."""
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
 _WORDS = re.compile(r"[^\W\d]\w*")
 _DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
@@ -101,13 +97,14 @@ class Labels:
 
         Raises ForeignLabelError.
         """
+        text = _MARKS.sub("", text) if "=" in text else text
         if found := _COLUMNS.match(text):  # [B AB] = [1 2; 3 4]
             return text[found.end() :], True
         found = _LABEL.match(text)
         if found is None or "=" in found[2].strip("= ") or enclosed(text.strip(), "{}"):
             return text, False
         label = _normal(found[1])
-        if _SIMILAR.fullmatch(found[1]):
+        if is_similar(found[1]):
             return found[2].strip(), True
         if _DENIES.search(found[1]) or _CHANGES.match(found[1]):
             raise ForeignLabelError(f"it is not clear what {found[1].strip()} says of it")
@@ -125,6 +122,10 @@ class Labels:
             raise ForeignLabelError(f"it is labelled {found[1].strip()}, and {self.name} is asked for")
         return (found[2].strip(), True) if _NAME.fullmatch(found[1].strip()) else (text, False)
 
+    def is_own(self, text: str) -> bool:
+        """Whether a text is what the answer is called."""
+        return _normal(text) in self.own
+
     def may_define(self, text: str) -> bool:
         """Whether a text beside a sign = may be what the answer is called or how it is found, and no multiple of it."""
         if (
@@ -132,11 +133,12 @@ class Labels:
             or _NAMES.fullmatch(text)
             or _LIMIT.fullmatch(text)
             or _normal(text) in self.own
-            or _SIMILAR.fullmatch(text)
+            or is_similar(text)
+            or (self.name == "A" and is_sampled(text))
         ):
             return True
-        if self.name == "dc_gain" and _OF_INVERSE.match(text):
-            return _AT_ZERO.fullmatch(text) is not None
+        if self.name == "dc_gain" and (found := is_gain_at_zero(text)) is not None:
+            return found
         if _CHANGES.match(text):
             return False
         if _OF_A.fullmatch(text) and "a" not in map(str.lower, self.own):
@@ -148,7 +150,7 @@ class Labels:
 
     def is_of_others(self, text: str) -> bool:
         """Whether a formula has names, and none of them may be what the answer is called."""
-        if self.name == "dc_gain" and _OF_INVERSE.match(text):
+        if self.name == "dc_gain" and is_gain_at_zero(text) is not None:
             return False
         words = [each for each in _WORDS.findall(text) if each not in ("π", "pi")]
         names = {_normal("omega" if each[0] == "w" else each) for each in words} - self.others

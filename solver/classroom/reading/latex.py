@@ -16,6 +16,8 @@ MAX_NESTING = 30
 _TOKEN = re.compile(r"\\begin\{[a-zA-Z]+\*?\}|\\end\{[a-zA-Z]+\*?\}|\\[a-zA-Z]+|\\.|[{}^_&]|[^\\{}^_&]", re.DOTALL)
 _SPACED = re.compile(r"(\\\\)\[\s*-?[\d.]+\s*(?:pt|em|ex|mm|cm|\\baselineskip)\s*\]")
 _FACTOR = re.compile(r"(?<![A-Za-z\\])([a-z])(\d+\^)")  # k3^{k-1}
+_COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)(?!\d{3}(?!\d))")
+"""A decimal comma, 0{,}2; 10{,}000 may be a number of thousands."""
 _OVER = re.compile(r"\{([^{}]*)\\over(?![a-z])([^{}]*)\}")
 _WHOLE_OVER = re.compile(r"^\{?([^{}=]*)\\over(?![a-z])([^{}=]*?)\}?$")
 _MATRICES = {"matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "smallmatrix", "array"}
@@ -73,10 +75,19 @@ def is_latex(text: str) -> bool:
     return "\\" in text or "$" in text
 
 
+def plainly(text: str) -> str:
+    """Return a text without LaTeX, as it is where that cannot be read."""
+    try:
+        return translated(text) if is_latex(text) else text
+    except NotReadableError:
+        return text
+
+
 def translated(text: str) -> str:
     """Return LaTeX in plain notation: matrices as [a, b; c, d], fractions in brackets. Raises NotReadableError."""
     text = _WHOLE_OVER.sub(r"\\frac{\1}{\2}", _OVER.sub(r"\\frac{\1}{\2}", text))
-    text = _FACTOR.sub(r"\1 \2", _SPACED.sub(r"\1", text)).replace("{,}", ",")
+    text = _FACTOR.sub(r"\1 \2", _SPACED.sub(r"\1", text))
+    text = _COMMA.sub(".", text).replace("{,}", ",")
     text = _DEGREES.sub("°", text)
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
     found = re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()

@@ -37,6 +37,10 @@ _EACH = re.compile(
     r"vielfachheit)\s*(\d)|double|twice|doppelt)\)?\s*\.?$",
     re.IGNORECASE,
 )
+_OF_ALL = re.compile(
+    r"\s*[,;(]\s*(?:both|beide|all|alle)\s+(?:simple|einfach|distinct|verschieden|real|reell)\s*\)?\s*\.?$",
+    re.IGNORECASE,
+)
 _ANGLES_OF_ALL = re.compile(r"^[^,;]*\(\s*(?:2\s*[kqnlm]|[kqnlm]\s*·?\s*360)[^,;=:]*[=:]\s*(?=[^=]*$)")
 _THEN = re.compile(r"\s*(?:→|->|,?\s+(?:then|dann|danach)\b)\s*")
 _BETWEEN_BARS = re.compile(r"\s*[^|(]+(?:\s\|\s[^|(]+)+")
@@ -111,6 +115,11 @@ def each_so_often(text: str) -> str:
         return ", ".join(f"{item} (multiplicity {found[2] or 2})" for item in items)
 
     return _EACH.sub(spread, text)
+
+
+def without_kind_of_all(text: str) -> str:
+    """Return 5, 2 for "5, 2 (both simple)"."""
+    return _OF_ALL.sub("", text)
 
 
 def behind_angles_of_all(text: str) -> str:

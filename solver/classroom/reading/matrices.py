@@ -31,7 +31,7 @@ _KEYWORD = re.compile(r"\s*[A-Za-z_]\w*\s*=")
 _PAIR = re.compile(r"\s*(?::=|[:=])\s*")
 _VECTOR = re.compile(r"(^|[,;]\s*)[^\W\d]\w*\s*=\s*(?=[\[(].*[,;]\s*[^\W\d]\w*\s*=|[\[(][^=]*$)", re.DOTALL)
 _SPAN = re.compile(r"\s*(?:span|Span|lin|LH)\s*(?=[({\[])")
-_JOINED = re.compile(r"\s+(?:and|und|or|oder|et|ou|∨)\s+", re.IGNORECASE)
+_JOINED = re.compile(r"\s+(?:and|und|or|oder|et|ou|∨|∧)\s+", re.IGNORECASE)
 _SETS = {"∅": "[]", "{ }": "[]"}
 _LIST = re.compile(r"\[\s*[-+]?[1-9]\d*(?:,[-+]?\d+)+\s*\]")
 """Whole numbers in brackets: what stands between them separates."""

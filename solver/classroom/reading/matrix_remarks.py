@@ -120,8 +120,9 @@ def of_inputs(text: str) -> str:
 
 
 def with_blocks(text: str) -> str:
-    """Return [3, 1; 0, 3] for the Jordan block J_2(3); "" of any other text."""
-    return _BLOCK.sub(_block, text)
+    """Return [3, 1; 0, 3] for the Jordan block J_2(3), and blocks with ⊕ between them on a diagonal."""
+    blocks = [each.strip() for each in _BLOCK.sub(_block, text).split("⊕")]
+    return f"diag({', '.join(blocks)})" if len(blocks) > 1 else blocks[0]
 
 
 def _block(found: re.Match[str]) -> str:

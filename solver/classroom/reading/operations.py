@@ -6,15 +6,27 @@ import re
 from collections.abc import Callable
 
 from solver.classroom.reading.brackets import matching, split
-from solver.classroom.reading.grids import SPECIAL, each_called, multiplied, special_matrix, summed, times, transposed
+from solver.classroom.reading.grids import (
+    SPECIAL,
+    each_called,
+    entrywise,
+    multiplied,
+    special_matrix,
+    summed,
+    times,
+    transposed,
+)
 from solver.classroom.reading.programs import inside_transposition
 from solver.problem.nodes import Node, SequenceNode
 
 _TUPLE = re.compile(r"(?<![\w.)\]}])\(|(?<=\))\s*\((?=[^()]*;)")
 _LISTED = re.compile(r"\[[^\[\]]*(?:[,;]|\d\s+[-+\d])[^\[\]]*\]")
 _MOTION = re.compile(r"(?:\d*\s*[eE]\s*[\^⁻ᵗ]|exp|sin|cos|[tk]\b)")
+_ENTRYWISE = re.compile(
+    r"(\[[^.*∘⊙]*\](?:\.?')?|\[.*?\](?:\.?')?)\s*(?:\.\*|∘|⊙)\s*(\[.*\](?:\.?'|\^T|\.T)?)", re.DOTALL
+)
 _ENDING = re.compile(
-    r"(.*?[\d)])\s*[*·×]?\s*((?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\([^()]*\))", re.DOTALL
+    r"(.*?(?:[\d)]\s*|\w\s+))[*·×]?\s*((?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\([^()]*\))", re.DOTALL
 )
 _RAISED = re.compile(r"([\^_])\{([^{}]*)\}")
 _NAMED = re.compile(r"(?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\(")
@@ -67,6 +79,8 @@ def _product(text: str, read: Read) -> Node | None:
     """A product of two matrices, or of a matrix and numbers."""
     if (bracketed := _factor_of_sum(text)) is not None:
         return times(read(bracketed[1]), bracketed[0], "")
+    if found := _ENTRYWISE.fullmatch(text):
+        return entrywise(read(found[1]), read(found[2]))
     if pair := factors_of(text):
         product = multiplied(read(pair[1]), read(pair[2]))
         return times(product, pair[0], "") if product else None

@@ -182,6 +182,7 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
             _text(list_texts.with_conjugates),
             _text(list_texts.with_multiplicities),
             _text(list_texts.each_so_often),
+            _text(list_texts.without_kind_of_all),
             _text(list_texts.one_after_another),
             _text(list_texts.between_bars),
             _text(list_texts.of_both_signs),

@@ -11,13 +11,14 @@ import sympy as sp
 
 from solver.classroom.reading import solution_sets, state_equations
 from solver.classroom.reading.brackets import rows, split
-from solver.classroom.reading.latex import NotReadableError, is_latex, translated
+from solver.classroom.reading.latex import plainly
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import labelled
 from solver.classroom.reading.quantities import told_otherwise, without_limit
 from solver.classroom.reading.remarks import without_remarks
+from solver.classroom.reading.space_words import is_zero_space, without_space_words
 from solver.classroom.reading.spelling import typed
-from solver.classroom.reading.vectors_told import of_unit_vectors, with_conjugates
+from solver.classroom.reading.vectors_told import of_unit_vectors, with_commas, with_conjugates, without_kinds
 from solver.problem.expressions.notation import GREEK_NAMES
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.symbols import POLYNOMIAL
@@ -77,32 +78,37 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
 def _matrix_prepared(node: Node, ours: sp.MatrixBase, name: str) -> Node:
     """The entries of a mapping as a list; a matrix that is told by equations or by other vectors, written out."""
     space = name.endswith("_space")
-    if isinstance(node, ScalarNode) or space:
-        told = _matrix_told(typed(node).replace(": ,", ",") if space else typed(node), name, ours)
-        if told:
-            return ScalarNode(node.place, told, "quoted")
+    text = _in_order(node) if isinstance(node, MappingNode) and space else typed(node)
+    if (isinstance(node, ScalarNode) or space) and (told := _matrix_told(text, name, ours)):
+        return ScalarNode(node.place, told, "quoted")
+    if text.startswith("{("):
+        return ScalarNode(node.place, text, "quoted")
     return _named_entries(node) if isinstance(node, MappingNode) else node
+
+
+def _in_order(node: MappingNode) -> str:
+    """What stands between braces, {(t, 2t) : t ∈ R}, where YAML took its brackets apart."""
+    entries = sorted(node, key=lambda entry: (entry.key.place.line, entry.key.place.column))
+    return f"{{{', '.join(f'{entry.key.text}: {typed(entry.value)}'.removesuffix(': ') for entry in entries)}}}"
 
 
 def _matrix_told(text: str, name: str, ours: sp.MatrixBase) -> str:
     """A matrix told by equations or by other vectors, written out; "" of any other text."""
+    if name.endswith("_space") and is_zero_space(text):
+        return "{0}"
     if 0 in ours.shape:
         return ""
     if name in state_equations.NAMES and "=" in text:
-        return state_equations.matrix_of(_plain(text), name, ours.shape)
+        return state_equations.matrix_of(plainly(text), name, ours.shape)
     if name.endswith("_space"):
-        return ("=" in text and solution_sets.solved(_plain(text), ours.rows)) or of_unit_vectors(text, ours.rows)
+        bare = with_commas(without_space_words(plainly(text)))
+        told = ("=" in bare and solution_sets.solved(bare, ours.rows)) or of_unit_vectors(bare, ours.rows)
+        return told or (bare if bare != plainly(text) else "")
     if name.endswith("eigenvectors"):
-        return with_conjugates(text) or of_unit_vectors(text, ours.rows)
+        bare = with_commas(without_kinds(text))
+        told = with_conjugates(bare) or of_unit_vectors(bare, ours.rows)
+        return told or (bare if bare != text else "")
     return ""
-
-
-def _plain(text: str) -> str:
-    """A text without LaTeX, as it is where that cannot be read."""
-    try:
-        return translated(text) if is_latex(text) else text
-    except NotReadableError:
-        return text
 
 
 def _named_entries(node: MappingNode) -> Node:

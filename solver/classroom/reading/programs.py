@@ -54,7 +54,8 @@ def _with_names(text: str) -> str:
     while found := _OTHER_NAME.search(text, at):
         end = matching(text, found.end() - 1)
         inside = text[found.end() : end]
-        listed = inside[1:-1] if found[1] in _DIAGONAL and inside[:1] in "[{" and inside[:1] else inside
+        one = inside[:1] in ("[", "{") and matching(inside, 0) == len(inside) - 1
+        listed = inside[1:-1] if found[1] in _DIAGONAL and one else inside
         text = f"{text[: found.start()]}{'diag' if found[1] in _DIAGONAL else 'eye'}({listed}){text[end + 1 :]}"
         at = found.start() + 3
     return text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from solver.classroom.reading.brackets import matching, split
 from solver.classroom.reading.linear_sums import coefficients, with_plain_indices
@@ -10,10 +11,16 @@ from solver.classroom.reading.linear_sums import coefficients, with_plain_indice
 _INDEX = r"_?\{?([1-9]?)\}?"
 _AT = r"\s*(?:\(t\)|\[t\])?"
 _RATE = re.compile(
-    rf"\s*(?:d\s*x{_INDEX}{_AT}\s*/\s*d\s*t|d\s*/\s*d\s*t\s*x{_INDEX}{_AT}|(?:ẋ|ẋ){_INDEX}{_AT}|x{_INDEX}(?:['′’]|_dot){_AT}"
+    rf"\s*(?:d\s*x{_INDEX}{_AT}\s*/\s*d\s*t|d\s*/\s*d\s*t\s*x{_INDEX}{_AT}|x{_INDEX}(?:['′’]|_dot){_AT}"
     rf"|x{_INDEX}\s*[(\[]\s*k\s*\+\s*1\s*[)\]]|x{_INDEX}\s*_?\{{?\s*,?\s*k\s*\+\s*1\}}?)\s*=\s*(.+)",
     re.DOTALL,
 )
+_DOTTED = re.compile(r"([a-zξ])\u0307(_?\{?[1-9]?\}?)")
+_STATE = re.compile(
+    r"\s*(?:d\s*|d\s*/\s*dt\s*)?([zqwveξ])_?\{?[1-9]?\}?\s*(?:['′’/]|_dot|[(\[_]\s*\{?\s*k\s*\+)"
+    r"|\s*y[^=]*=[^=]*?(?<![A-Za-z])([zqwvξ])_?[1-9]"
+)
+"""What the states are called, where that is not x."""
 _OUTPUT = re.compile(rf"\s*y{_INDEX}\s*(?:\([tk]\)|\[k\]|_k)?\s*=\s*(.+)", re.DOTALL)
 _BETWEEN = re.compile(r"\s*[,;\n]\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+")
 _MATRICES = re.compile(r"\s*([-+]?)\s*(?=[\[(])")
@@ -29,7 +36,7 @@ def matrix_of(text: str, name: str, shape: tuple[int, int]) -> str:
 
     There must be one equation for each row of it.
     """
-    text = with_plain_indices(text).strip()
+    text = _with_usual_states(text)
     letter, left = "x" if name in _OF_STATES else "u", _RATE if name in _RATES else _OUTPUT
     height, width = shape
     lines: dict[int, str] = {}
@@ -49,6 +56,17 @@ def matrix_of(text: str, name: str, shape: tuple[int, int]) -> str:
             return ""
         lines[number] = f"[{', '.join(row)}]"
     return f"[{', '.join(lines[i] for i in sorted(lines))}]" if sorted(lines) == list(range(1, height + 1)) else ""
+
+
+def _with_usual_states(text: str) -> str:
+    """Equations with x1' for ẋ₁, and x for the states where they are called otherwise."""
+    text = _DOTTED.sub(r"\1\2'", unicodedata.normalize("NFD", with_plain_indices(text))).strip()
+    called = _STATE.match(text)
+    if called is None or re.search(r"(?<![a-z])x", text):
+        return text
+    return re.sub(
+        rf"(?<![A-Za-z\\])(?<!/d\s){called[1] or called[2]}(?![a-z])|(?<=\bd){called[1]}(?=[_\d{{/ ])", "x", text
+    )
 
 
 def _row(side: str, letter: str, width: int) -> list[str] | None:

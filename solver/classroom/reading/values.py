@@ -26,6 +26,7 @@ from solver.classroom.reading.labels import (
     with_own_labels,
     without_range,
 )
+from solver.classroom.reading.latex import plainly
 from solver.classroom.reading.likeness import has_step, is_condition, is_like, is_of_time
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
@@ -82,14 +83,15 @@ class Reader:
         """Return the value of a node, with its other readings; raises Fault."""
         self.expected, written = expected, node
         node = prepared(node, ours, self.expected.name)
-        if expected.paired and (pairs := eigenpairs(typed(written if isinstance(written, ScalarNode) else node))):
+        source = written if isinstance(written, ScalarNode) else node
+        if expected.paired and (pairs := eigenpairs(plainly(typed(source)))):
             return self._vectors_of(pairs, node, ours)
         found, faults = self._readings(node, ours)
         if not any(is_like(each.value, ours) for each in found):
             others = [each for each in self._other_readings(node, ours) if is_like(each.value, ours)]
             found = [replace(each, respelt=True) for each in others] or found
         if not any(is_like(each.value, ours) for each in found):
-            found = [replace(each, respelt=True, typed=typed(node)) for each in self._within(written, ours)] or found
+            found = [replace(each, respelt=True, typed=typed(node)) for each in self._within(source, ours)] or found
         if not found:
             raise faults[0]
         found = [each for each in found if is_like(each.value, ours)] or found
@@ -170,6 +172,8 @@ class Reader:
             sides = sides[:-1]
         if not sides:
             return []
+        if any(map(self.expected.labels.is_own, sides[1:-1])):  # K = G(0) = 2
+            sides = sides[[self.expected.labels.is_own(side) for side in sides].index(True) :]
         try:
             self.expected.labels.without(f"{sides[0]} = 0")
         except ForeignLabelError:

@@ -15,7 +15,7 @@ _OTHER = re.compile(
 _BEHIND = re.compile(
     r"\s*,?\s*(?:and|und|plus|\+|,)\s*(?:(?:its|the|the corresponding|das|dazu|ihr|deren|der)\s+)?"
     r"(?:complex|komplex)?\s*"
-    r"(?:conj(?:ugates?|\.)?|konjugierte?[rs]?|c\.\s?c\.|k\.\s?k\.)(?:\s+(?:vector|vektor))?\s*\.?",
+    r"(?:conj(?:ugates?|\.)?|konjugierte?[rs]?|c\.\s?c\.|k\.\s?k\.)(?:\s+(?:vector|vektor|complex|komplex))?\s*\.?",
     re.IGNORECASE,
 )
 _TURNED = re.compile(r"\s*(?:\^\{?T\}?|ᵀ|'|\^\{\\top\})")
@@ -23,12 +23,33 @@ _UNIT = re.compile(r"(?<![A-Za-z\d])([-+(]?)(\d*)([ij])(?![A-Za-z])|(?<=\d)([ij]
 _NAMED = re.compile(r"^\s*[^\W\d_]_?\d?\s*[=:]\s*")
 _SPAN = re.compile(r"^\s*(?:span|lin|LH)\s*(?=[({])", re.IGNORECASE)
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
+_KIND = re.compile(
+    r"\s*\(\s*(?:generali[sz]ed|gen\.|verallgemeinert\w*|hauptvektor|chain|kette)(?:\s+(?:eigenvector|eigenvektor))?\s*\)",
+    re.IGNORECASE,
+)
+_BARRED = re.compile(r"\([^()|,;]+(?:\|[^()|,;]+)+\)")
+_BOTH = re.compile(r"\s*(?:v\w*\s*=\s*)?([(\[][^()\[\]]*[)\]])\s*±\s*[ij]\s*[*·]?\s*([(\[][^()\[\]]*[)\]])\s*")
+_ENTRIES = re.compile(r"\s*[,;]\s*|\s+")
+_MARKED = re.compile(r"(\w)\u0304_?(\d?)")
 MOST_ENTRIES = 9
+
+
+def without_kinds(text: str) -> str:
+    """Return vectors without what is said of their kind: e2 (generalized)."""
+    return _KIND.sub("", text)
+
+
+def with_commas(text: str) -> str:
+    """Return vectors with commas for the bars between their entries, (1|-2)."""
+    return _BARRED.sub(lambda found: found[0].replace("|", ","), text)
 
 
 def with_conjugates(text: str) -> str:
     """Return v1 = [1, j], v2 = [1, -j] of v1 = [1, j], v2 = conj(v1), or of [1, j] and its conjugate; "" of others."""
-    text = with_plain_indices(text)
+    text = _MARKED.sub(r"conj(\1\2)", with_plain_indices(text))
+    if both := _BOTH.fullmatch(text):
+        parts = [[each for each in _ENTRIES.split(part[1:-1].strip()) if each] for part in both.groups()]
+        return _of_parts(*parts) if len(parts[0]) == len(parts[1]) else ""
     first = _VECTOR.match(text)
     if first is None:
         return ""
@@ -44,6 +65,14 @@ def with_conjugates(text: str) -> str:
             return ""
     conjugated = _conjugated(vector)
     return f"v1 = {vector}, v2 = {conjugated}" if conjugated != vector else ""
+
+
+def _of_parts(real: list[str], imaginary: list[str]) -> str:
+    """Both vectors of (1, 0) ± j (0, 2)."""
+    both = [
+        ", ".join(f"({one}) {sign} j*({other})" for one, other in zip(real, imaginary, strict=True)) for sign in "+-"
+    ]
+    return f"v1 = [{both[0]}], v2 = [{both[1]}]"
 
 
 def _plain(name: str) -> str:
