@@ -5,6 +5,7 @@ from __future__ import annotations
 import unicodedata
 
 from solver.formula import GREEK_LETTERS
+from solver.render.raised import level_of, levels, lowered
 
 SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -38,9 +39,7 @@ MATH = {
         "↔": r"\leftrightarrow",
     },
     **{"−": "-", "·": r"\cdot", "∞": r"\infty", "√": r"\surd", "∈": r"\in", "∫": r"\int", "Σ": r"\Sigma", "Π": r"\Pi"},
-    **{"ℒ": r"\mathcal{L}", "𝒵": r"\mathcal{Z}", "ᵀ": "^{T}", "⁻": "^{-}", "′": "'", "∂": r"\partial", "⋯": r"\cdots"},
-    **{sign: f"^{{{digit}}}" for sign, digit in zip("⁰⁴⁵⁶⁷⁸⁹ⁿᵏᵐ", "0456789nkm", strict=True)},
-    **{sign: f"_{{{digit}}}" for sign, digit in zip("₀₁₂₃₄₅₆₇₈₉ₙₖᵢⱼ", "0123456789nkij", strict=True)},
+    **{"ℒ": r"\mathcal{L}", "𝒵": r"\mathcal{Z}", "′": "'", "∂": r"\partial", "⋯": r"\cdots"},
 }
 
 _WITHOUT_GLYPH = frozenset("\u00ad¸ĦħĸĿŀŉŦŧſ")
@@ -50,8 +49,8 @@ _PUNCTUATION = frozenset("–—‘’“”‚„†‡•…‰‹›€™")
 
 def escaped(text: str) -> str:
     """Return text that TeX prints as it stands; a character that its fonts lack is replaced by its name."""
-    letters = "".join(_letter(letter) for letter in unicodedata.normalize("NFC", text))
-    return letters.replace("--", "-{}-")  # not a dash
+    shown = "".join(_standing(level, letters) for level, letters in levels(text))
+    return shown.replace("--", "-{}-")  # not a dash
 
 
 def shows(text: str) -> bool:
@@ -61,7 +60,14 @@ def shows(text: str) -> bool:
 
 def _is_known(letter: str) -> bool:
     known = letter in SPECIAL or letter in _PUNCTUATION or letter in MATH or " " <= letter <= "~"
-    return known or ("\u00a1" <= letter <= "\u017f" and letter not in _WITHOUT_GLYPH)
+    return known or level_of(letter) != "" or ("\u00a1" <= letter <= "\u017f" and letter not in _WITHOUT_GLYPH)
+
+
+def _standing(level: str, letters: str) -> str:
+    if not level:
+        return "".join(map(_letter, letters))
+    shown = "".join(MATH.get(letter, _letter(letter)) for letter in lowered(letters))
+    return rf"\ensuremath{{{level}{{{shown}}}}}"
 
 
 def _letter(letter: str) -> str:

@@ -167,6 +167,13 @@ def test_names_keep_their_accents_and_other_scripts_are_named():
     assert escaped("Ångström, Łukasz, Gökçe e\u0301") == "Ångström, Łukasz, Gökçe é"
     assert escaped("λ ≤ 5 %") == r"\ensuremath{\lambda} \ensuremath{\le} 5 \%"
     assert escaped("\u4e2d") == "[cjk unified ideograph-4e2d]"
+    assert escaped("Mª, Nº 1, ™") == "Mª, Nº 1, ™"
+
+
+def test_what_stands_above_or_below_the_line_does_not_fall_to_it():
+    assert escaped("2e⁻ˢ, Aᵀ, x² + xₖ₊₁") == (
+        r"2e\ensuremath{^{-s}}, A\ensuremath{^{T}}, x\ensuremath{^{2}} + x\ensuremath{_{k+1}}"
+    )
 
 
 @pytest.mark.parametrize(

@@ -133,6 +133,7 @@ def test_texts_are_strings_and_formulas_that_are_none_are_texts():
         '#leading[#"So"]\n\n#formula("x = 1", framed: false, $x\\=1$)\n\n#"holds."'
     )
     assert quoted("ﬁ\tx中\x07é") == '"fi x[cjk unified ideograph-4e2d]é"'
+    assert quoted("2e⁻ˢ, Aᵀ, x² + xₖ₊₁, Mª") == '"2e^(−s), A^T, x² + x_(k+1), Mª"'
 
 
 @pytest.mark.usefixtures("typst")
