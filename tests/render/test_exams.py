@@ -122,7 +122,11 @@ def test_space_for_answers_goes_by_the_marks_and_stands_in_papers_only(told):
     paper, key = told(space=Fraction(15, 2)), told("key", space=Fraction(30))
     assert [paper.room(each.document, part) for each in paper.questions for part in each.document.parts] == [20, 22] * 2
     assert [told(space=Fraction(0)).room(paper.questions[0].document, paper.questions[0].document.parts[0])] == [20]
-    for write, sign in ((exam_page, '<div class="room"'), (exam_latex, r"\answerroom{"), (exam_typst, "mm)\n")):
+    for write, sign in (
+        (exam_page, '<div class="room"'),
+        (exam_latex, r"\answerroom{"),
+        (exam_typst, "#answer-room(2"),
+    ):
         assert (write(paper).count(sign), write(key).count(sign), write(told()).count(sign)) == (4, 0, 0)
 
 

@@ -191,11 +191,12 @@ def test_what_is_heard_needs_no_glyph():
     assert inline_typst(r"$\dot x$").startswith('#eq("ẋ"')
 
 
-def test_what_stands_before_the_steps_stays_on_their_page_and_a_paper_may_break_anywhere():
+def test_what_is_asked_stays_together_and_with_the_first_step_and_a_paper_may_break_behind_it():
     document = replace(sample(), given="")
     kept = "#block(sticky: true, width: 100%)["
     asked = replace(document, parts=tuple(replace(each, steps=()) for each in document.parts))
     method = "Method:"
     for each in typst_document(document).split(method)[:-1]:
         assert each.rstrip('#"').rstrip().endswith(f"{kept}\n#text(fill: quiet)[")
-    assert kept not in typst_document(asked)
+    assert f"{kept}\n#text(fill: quiet)" not in typst_document(asked)
+    assert typst_document(asked).count(kept) == sum(each.question != "" and not each.again for each in asked.parts) > 0
