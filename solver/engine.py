@@ -7,13 +7,14 @@ the checks decides the status.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from time import perf_counter
+from types import MappingProxyType
 from typing import Any
 
-from solver.decimals import as_printed, exactly, short_again
+from solver.decimals import short_again
 from solver.derivation import (
     Answers,
     Check,
@@ -28,9 +29,9 @@ from solver.derivation import (
 )
 from solver.derivation.conversion import composed, converted, refused
 from solver.derivation.levels import carrying_out
-from solver.known import has_real_entries, named_alike, signed, symbols_of, wrong_conditions
-from solver.lazy import exact, noted_calls, numeric
-from solver.lazy import sympy as sp
+from solver.earlier import Earlier, resolved, rests_on_decimals
+from solver.known import has_real_entries, signed, wrong_conditions
+from solver.lazy import Call, exact, noted_calls, numeric
 from solver.messages import Messages
 from solver.postconditions import check_calls
 from solver.problem.model import Part, Problem, Reference
@@ -39,11 +40,24 @@ from solver.systems import EarlierPart, System
 from solver.tasks import catalogue
 from solver.words import Reason
 
-Earlier = Mapping[str, PartResult]
-"""Results of earlier parts by the part's id, each by the part's first method."""
-
 Runner = Callable[[Problem], Iterator[list[PartResult]]]
 """Solves the parts of a problem in order, one list of results (one a method) for each part."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What a method works on and what it finds, unchecked, with its steps and the calls of kernels for them."""
+
+    given: Given[Any, Any]
+    answers: Answers
+    steps: Sequence[Step]
+    calls: Sequence[Call]
+
+
+Findings = Mapping[tuple[str, str], Finding]
+"""What was found before, without arithmetic, by the part's id and the method: it is not derived again."""
+
+NOTHING_FOUND: Findings = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -62,27 +76,36 @@ class Solution:
 
 
 def solve_problem(
-    problem: Problem, runner: Runner | None = None, messages: Messages | None = None, *, arithmetic: bool = True
+    problem: Problem,
+    runner: Runner | None = None,
+    messages: Messages | None = None,
+    *,
+    arithmetic: bool = True,
+    found: Findings = NOTHING_FOUND,
 ) -> Solution:
     """Solve all parts, here or by a runner that keeps limits. An unsolved part says why and stops no other.
 
-    Without `arithmetic` the steps have no substeps for the level `tutor`.
+    Without `arithmetic` the steps have no substeps for the level `tutor`; then what was `found` before serves.
     Raises InputError, with the places in the file and in the words of `messages` (None: those of the problem's
     language), where a task finds a question wrong as it is asked.
     """
-    results = runner(problem) if runner else solve_parts(problem, messages, arithmetic=arithmetic)
+    results = runner(problem) if runner else solve_parts(problem, messages, arithmetic=arithmetic, found=found)
     return Solution(problem, tuple(result for of_part in results for result in of_part), arithmetic)
 
 
 def solve_parts(
-    problem: Problem, messages: Messages | None = None, *, arithmetic: bool = True
+    problem: Problem,
+    messages: Messages | None = None,
+    *,
+    arithmetic: bool = True,
+    found: Findings = NOTHING_FOUND,
 ) -> Iterator[list[PartResult]]:
     """Solve the parts in order; they may use the answers of earlier ones."""
     said = messages or Messages(language=problem.display.language)
     refuse(problem, {part.id: refusals_of(part, said) for part in problem.parts})
     known: dict[str, PartResult] = {}
     for part in problem.parts:
-        results = solve_part(part, known, arithmetic=arithmetic)
+        results = solve_part(part, known, arithmetic=arithmetic, found=found)
         known[part.id] = results[0]
         yield results
 
@@ -99,14 +122,17 @@ def refusals_of(part: Part, messages: Messages) -> list[Refusal]:
     return [(option, messages.reason(fault)) for option, fault in faults]
 
 
-def solve_part(part: Part, earlier: Earlier, *, arithmetic: bool = True) -> list[PartResult]:
+def solve_part(
+    part: Part, earlier: Earlier, *, arithmetic: bool = True, found: Findings = NOTHING_FOUND
+) -> list[PartResult]:
     """Solve one part by each of its methods."""
+    before = {} if arithmetic else found
     with carrying_out(arithmetic):
-        return [_solve_by(method, part, earlier) for method in part.methods]
+        return [_solve_by(method, part, earlier, before.get((part.id, method))) for method in part.methods]
 
 
-def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
-    """Solve one part by one method and check the result."""
+def _solve_by(method: str, part: Part, earlier: Earlier, before: Finding | None) -> PartResult:
+    """Solve one part by one method, unless that was done before, and check the result."""
     start = perf_counter()
     task = catalogue()[part.task]
     steps: list[Step] = []
@@ -114,9 +140,9 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     reason: Reason | None = None
     checks: tuple[Check, ...] = ()
     try:
-        with noted_calls(steps) as calls:
-            given, answers = _found_by(method, part, earlier, steps)
-        checks = (*numeric.check_steps(steps), *check_calls(calls, steps), *task.verify(given, answers))
+        found = before or _finding(method, part, earlier, steps)
+        steps, answers = list(found.steps), found.answers
+        checks = (*numeric.check_steps(steps), *check_calls(found.calls, steps), *task.verify(found.given, answers))
         status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
         status, reason = Status.UNSOLVED, refusal.reason
@@ -137,10 +163,22 @@ def found_by(
         return _found_by(method, part, earlier, [] if steps is None else steps)
 
 
+def finding(method: str, part: Part, earlier: Earlier) -> Finding:
+    """Return what a method finds, unchecked and without arithmetic. Raises Unsolved, NotExact."""
+    with carrying_out(False):
+        return _finding(method, part, earlier, [])
+
+
+def _finding(method: str, part: Part, earlier: Earlier, steps: list[Step]) -> Finding:
+    with noted_calls(steps) as calls:
+        given, answers = _found_by(method, part, earlier, steps)
+    return Finding(given, answers, steps, calls)
+
+
 def _found_by(method: str, part: Part, earlier: Earlier, steps: list[Step]) -> tuple[Given[Any, Any], Answers]:
     given = given_of(part, method, earlier, steps)
     answers = yield_into(steps, catalogue()[part.task].methods[method].derive(given))
-    if _rests_on_decimals(part, earlier):
+    if rests_on_decimals(part, earlier):
         answers = Answers(**{name: short_again(value) for name, value in answers.items()})
     return given, answers
 
@@ -161,13 +199,6 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     return given
 
 
-def resolved(part: Part, earlier: Earlier) -> Part:
-    """Return a part with what it takes from earlier ones in place of the references to it. Raises Unsolved."""
-    own = symbols_of(part)
-    options = {name: named_alike(_resolved(name, value, earlier), own) for name, value in part.options.items()}
-    return replace(part, system=_system_of(part, earlier, own), options=options)
-
-
 def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
     """Return the steps of a part by a method, those before a refusal where there is one.
 
@@ -178,19 +209,6 @@ def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
         given = given_of(part, method, earlier, steps)
         yield_into(steps, catalogue()[part.task].methods[method].derive(given))
     return steps
-
-
-def _system_of(part: Part, earlier: Earlier, own: Mapping[str, Any]) -> Any:
-    """Return the system of a part, taken from the result of an earlier part where it refers to one."""
-    system = part.system
-    if not isinstance(system, EarlierPart):
-        return system
-    found = earlier[system.part].answers if system.part in earlier else {}
-    answers = {name: named_alike(exactly(value), own) for name, value in found.items()}
-    taken = system.taken(answers, named_alike(_resolved("gain", system.gain, earlier), own))
-    if taken is None:
-        raise Unsolved("conversions/no_earlier_system", part=system.part)
-    return taken
 
 
 def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) -> None:
@@ -238,47 +256,14 @@ def verdict(checks: Iterable[Check], answers: Iterable[str]) -> tuple[Status, Re
     return Status.VERIFIED, None
 
 
-def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
-    """Return the option's value, taken from an earlier part where it refers to one."""
-    if not isinstance(value, Reference):
-        return value
-    source = earlier.get(value.part)
-    if source is None or value.answer not in source.answers:
-        raise Unsolved("engine/missing_answer", answer=value.answer, part=value.part, option=option)
-    found = source.answers[value.answer]
-    if value.item:
-        if not isinstance(found, list) or value.item > len(found):
-            raise Unsolved("engine/missing_item", item=value.item, answer=value.answer, part=value.part)
-        point = found[value.item - 1]
-        return exactly({**_held(source), **point} if isinstance(point, dict) else point)
-    return as_printed(found) if isinstance(found, sp.MatrixBase) else found
-
-
-def _held(source: PartResult) -> dict[Any, Any]:
-    """Return the values of what a part keeps constant, which every point that it finds has beside its own."""
-    return {name: value for step in source.steps for name, value in step.values.get("held", ())}
-
-
-def _rests_on_decimals(part: Part, earlier: Earlier) -> bool:
-    """Whether a part takes decimals from an earlier one."""
-    references = [*part.options.values(), getattr(part.system, "gain", None)]
-    taken = [earlier[each.part].answers.get(each.answer) for each in references if isinstance(each, Reference)]
-    if isinstance(part.system, EarlierPart):
-        taken += earlier[part.system.part].answers.values()
-    return any(hasattr(value, "has") and value.has(sp.Float) for each in taken for value in _listed(each))
-
-
-def _listed(value: Any) -> list[Any]:
-    if isinstance(value, dict):
-        return list(value.values())
-    return [part for each in value for part in _listed(each)] if isinstance(value, list) else [value]
-
-
 __all__ = [
     "Earlier",
+    "Finding",
+    "Findings",
     "Runner",
     "Solution",
     "Task",
+    "finding",
     "given_of",
     "refusals_of",
     "resolved",

@@ -18,7 +18,8 @@ from solver.document.model import Presentation
 from solver.limits import Limits
 from solver.papers.again import members_again
 from solver.papers.difficulty import Difficulty, spread_of
-from solver.papers.families import YAML, Member, Wanted, family_of
+from solver.papers.families import Member, family_of
+from solver.papers.making import YAML, Wanted
 from solver.papers.search import Search
 from solver.papers.telling import shortage, took
 from solver.problem.model import Problem
@@ -72,7 +73,7 @@ def draw_members(order: Order) -> int:
     settle()
     store = Store(order.folder, order.presentation.templates, anew=order.again)
     with order.workers.executor() as executor, search_bar(order.count) as tell:
-        search = Search(source, family, order.seed, order.limits, order.draws, executor, tell)
+        search = Search(source, family, order.seed, order.draws, executor, tell)
         wanted = Wanted(order.formats, order.presentation, order.limits, order.check)
         found: list[Member] = []
         for member in members_again(

@@ -21,7 +21,7 @@ from solver.document.model import Document, Presentation, Work, WorkAnswer, Work
 from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of
 from solver.document.titles import titles_of
 from solver.document.values import as_written, functions_of, numbers_of, symbols_of, texts_of, values_of
-from solver.engine import Earlier, Solution, resolved, solve_problem
+from solver.engine import NOTHING_FOUND, Earlier, Findings, Solution, resolved, solve_problem
 from solver.problem.asked import asked_of, marks_shown
 from solver.problem.model import Display, Part, Problem
 from solver.render.numbers import NumberFormat
@@ -33,9 +33,9 @@ from solver.tasks import catalogue
 from solver.words import Phrase, Reason
 
 
-def solve_as_told(problem: Problem, told: Presentation) -> Solution:
+def solve_as_told(problem: Problem, told: Presentation, found: Findings = NOTHING_FOUND) -> Solution:
     """Solve a problem as far as it is to be told. Raises InputError, in the words of the presentation."""
-    return solve_problem(problem, messages=told.messages(problem.display), arithmetic=told.arithmetic)
+    return solve_problem(problem, messages=told.messages(problem.display), arithmetic=told.arithmetic, found=found)
 
 
 def document_of(solution: Solution, presentation: Presentation | None = None, name: str = "") -> Document:

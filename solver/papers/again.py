@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any
 
 from solver.derivation import Status
-from solver.papers.families import Made, Member, Wanted, all_made, made, members
+from solver.papers.families import Member, members
 from solver.papers.kept import Kept, MadeBefore, drawn_before, facts_of, keep_drawn, recall
+from solver.papers.making import Made, Make, Making, Wanted, all_made, made
 from solver.papers.search import Search
 from solver.problem.model import Problem
 
@@ -23,7 +24,7 @@ def members_again(
     count: int,
     wanted: Wanted,
     name: str,
-    make: Callable[[str, str, Any], Made] = made,
+    make: Make = made,
     kind: type[Made] = Made,
     engine: str = "",
 ) -> Iterator[Member]:
@@ -32,14 +33,13 @@ def members_again(
     For another count what became of the draws, and what was made of their texts, is known. `engine` makes PDFs.
     """
     memory = MadeBefore(kept, kind, (*facts_of(problem, search.source.name, wanted), engine))
+    making = Making(make, wanted, wanted.limits.times(problem.solutions), memory)
     recall(kept, search)
     if drawn := drawn_before(kept, search, count):
-        limits = wanted.limits.times(sum(len(part.methods) for part in problem.parts))
         some = [drawn[start : start + AT_ONCE] for start in range(0, len(drawn), AT_ONCE)]
 
         def made_of(few: Sequence[tuple[Mapping[str, str], str]]) -> list[Any]:
-            calls = [(text, search.source.name, wanted) for _, text in few]
-            return all_made(search.executor, limits, make, calls, memory)
+            return all_made(search.executor, search.source.name, making, [text for _, text in few])
 
         # What is made is kept, so it is asked for again rather than a thousand held.
         if all(isinstance(each, Made) and each.status is Status.VERIFIED for few in some for each in made_of(few)):
@@ -49,7 +49,7 @@ def members_again(
             return
         search.begin_again()  # a limit was met, say: the search says it
     found = []
-    for member in members(search, count, wanted, name, make, memory):
+    for member in members(search, count, making, name):
         found.append((member.values, member.text))
         yield member
     keep_drawn(kept, search, count, found)

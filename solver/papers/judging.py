@@ -1,17 +1,19 @@
 """Whether a draw is a member: read, held against what is required of its system, and what is asked found quickly.
 
-All is done with the means of the engine, without steps in words and without checks: a member is verified afterwards.
+All is done with the means of the engine, without steps in words and without checks: a member is verified afterwards,
+with what was found here.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from hashlib import sha256
 from typing import Any
 
 from solver.derivation import Answers, PartResult, Status, Unsolved
-from solver.engine import found_by, refusals_of
+from solver.engine import Finding, Findings, finding, found_by, refusals_of
 from solver.lazy import exact
 from solver.messages import Messages
 from solver.papers.niceness import is_nice
@@ -54,8 +56,34 @@ class Rejection:
         return self.own and self.why.startswith(UNSOLVABLE)
 
 
-def judged(text: str, name: str, required: Iterable[Required], nice: Iterable[Nice]) -> Rejection | None:
-    """Return why a draw is no member, None where it seems to be one; `text` is its file."""
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """A problem that seems to be a member, with what its parts were found to be so far."""
+
+    problem: Problem
+    found: Findings = field(default_factory=dict)
+
+    @property
+    def asked(self) -> str:
+        """What tells whether two members ask the same: systems and options, in whatever order poles are given."""
+        parts = [
+            (part.id, part.task, part.methods, part.prompt, str(part.system), _options(part.options))
+            for part in self.problem.parts
+        ]
+        told = repr((self.problem.statement, str(self.problem.system), parts))
+        return sha256(told.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def _options(options: Mapping[str, Any]) -> list[tuple[str, str]]:
+    found = []
+    for name, value in sorted(options.items()):
+        unordered = isinstance(value, tuple) and name.endswith("poles")
+        found.append((name, str(sorted(map(str, value))) if unordered else str(value)))
+    return found
+
+
+def judged(text: str, name: str, required: Iterable[Required], nice: Iterable[Nice]) -> Rejection | Judged:
+    """Return why a draw is no member, or the problem where it seems to be one; `text` is its file."""
     try:
         problem = read_problem(Source(name, text), catalogue())
         messages = Messages(language=problem.display.language)
@@ -67,7 +95,8 @@ def judged(text: str, name: str, required: Iterable[Required], nice: Iterable[Ni
     for word in required:
         if word.chain is None and not all(_is(system, word.text) for system in systems_of(problem)):
             return Rejection(word.text)
-    return _judged_by_answers(problem, nice)
+    found: dict[tuple[str, str], Finding] = {}
+    return _rejected_by_answers(problem, nice, found) or Judged(problem, found)
 
 
 def systems_of(problem: Problem) -> list[System]:
@@ -91,12 +120,14 @@ def _is(system: System, word: str) -> bool:
     return True
 
 
-def _judged_by_answers(problem: Problem, nice: Iterable[Nice]) -> Rejection | None:
-    """Return which answer does not come out as it must."""
+def _rejected_by_answers(
+    problem: Problem, nice: Iterable[Nice], found: dict[tuple[str, str], Finding]
+) -> Rejection | None:
+    """Return which answer does not come out as it must; `found` gets what is found on the way."""
     known: dict[str, PartResult] = {}
     for each in nice:
         try:
-            value = answers_of(each.part, problem, known).get(each.answer)
+            value = answers_of(each.part, problem, known, found).get(each.answer)
         except (Unsolved, exact.NotExact):
             return Rejection(f"part {each.part} has no solution", own=True)
         if value is None or not is_nice(value, each.kind):
@@ -104,16 +135,23 @@ def _judged_by_answers(problem: Problem, nice: Iterable[Nice]) -> Rejection | No
     return None
 
 
-def answers_of(name: str, problem: Problem, known: dict[str, PartResult]) -> Answers:
+def answers_of(
+    name: str,
+    problem: Problem,
+    known: dict[str, PartResult],
+    found: dict[tuple[str, str], Finding] | None = None,
+) -> Answers:
     """Return what a part finds by its first method, with the parts that it goes on with.
 
-    `known` has what was found, and keeps it. Raises Unsolved, NotExact.
+    `known` has what was found, and keeps it; `found` gets how. Raises Unsolved, NotExact.
     """
     if name not in known:
         part = next(part for part in problem.parts if part.id == name)
         for source in part.sources:
-            answers_of(source, problem, known)
-        steps: list[Any] = []
-        _, answers = found_by(part.methods[0], part, known, steps)
-        known[name] = PartResult(name, part.task, part.methods[0], Status.VERIFIED, answers, (), tuple(steps))
+            answers_of(source, problem, known, found)
+        method = part.methods[0]
+        its = finding(method, part, known)
+        if found is not None:
+            found[name, method] = its
+        known[name] = PartResult(name, part.task, method, Status.VERIFIED, its.answers, (), tuple(its.steps))
     return known[name].answers

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Generic, Protocol, TypeVar
 
 from solver.limits import Limits
-from solver.papers.families import Made, Wanted
 from solver.papers.judging import Rejection
+from solver.papers.making import Made, Wanted
 from solver.papers.plain import NotPlain, as_plain, of_plain
 from solver.papers.search import Search
 from solver.problem.model import Problem
@@ -111,8 +111,8 @@ def recall(kept: Kept, search: Search) -> None:
     """Let a search know what became of the draws that the same search judged before, for another count of members."""
     try:
         found = {
-            int(number): None if why is None else Rejection(str(why), bool(own))
-            for number, why, own in kept.get(*_facts_of_judgements(search)) or ()
+            int(number): str(asked) if why is None else Rejection(str(why), bool(own))
+            for number, asked, why, own in kept.get(*_facts_of_judgements(search)) or ()
         }
     except (TypeError, ValueError):
         return
@@ -122,9 +122,9 @@ def recall(kept: Kept, search: Search) -> None:
 def keep_drawn(kept: Kept, search: Search, count: int, members: Sequence[tuple[Mapping[str, str], str]]) -> None:
     """Keep what a search judged, and values and texts of its members, unless other limits may give more."""
     judged = [
-        (number, None, False) if why is None else (number, why.why, why.own)
-        for number, why in search.judgements.items()
-        if why is None or not why.is_by_limits
+        (number, it, None, False) if isinstance(it, str) else (number, "", it.why, it.own)
+        for number, it in search.judgements.items()
+        if isinstance(it, str) or not it.is_by_limits
     ]
     if judged:
         kept.put(judged, *_facts_of_judgements(search))

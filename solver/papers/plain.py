@@ -24,8 +24,8 @@ from solver.limits import codec
 from solver.limits.results import Sent
 from solver.messages import Messages
 from solver.papers import difficulty
-from solver.papers.exam.telling import QuestionMade
-from solver.papers.families import Made
+from solver.papers.exam.question import QuestionMade
+from solver.papers.making import Made
 from solver.problem.images import Image
 from solver.words import Phrase
 

@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from functools import lru_cache
 
 from solver.problem.family import KEYS, canonical
 from solver.problem.nodes import Entry, MappingNode, Node, Place, ScalarNode
@@ -16,6 +17,7 @@ SAFE = re.compile(r"-?[\w(][\w.+*/^()-]*")
 """What means the same to YAML with quotes and without them, in a block and in brackets."""
 
 
+@lru_cache(maxsize=8)  # a family is looked at for each of its members
 def root_of(source: Source) -> MappingNode:
     """Return the tree of a problem file; raises InputError, also where it is no mapping."""
     root = parse_yaml(source)
@@ -24,10 +26,10 @@ def root_of(source: Source) -> MappingNode:
     return root
 
 
-def member_text(source: Source, drawn: Mapping[str, str], heading: str = "") -> str:
+def member_text(source: Source, drawn: Mapping[str, str]) -> str:
     """Return the text of a member: that of the family with other values under `parameters`, and no word of the others.
 
-    Comments and the form of all else stay; `heading` is the comment on top.
+    Comments and the form of all else stay.
     """
     root = root_of(source)
     text = source.text.removeprefix("\ufeff")
@@ -35,7 +37,12 @@ def member_text(source: Source, drawn: Mapping[str, str], heading: str = "") -> 
         text = written(_member(root, drawn)) + "\n"
     else:
         text = _edited(text, root, drawn)
-    return f"# {heading}\n{text}" if heading else text
+    return text
+
+
+def headed(text: str, heading: str) -> str:
+    """Return the text of a member with a comment on top."""
+    return f"# {heading}\n{text}"
 
 
 def _edited(text: str, root: MappingNode, drawn: Mapping[str, str]) -> str:

@@ -161,6 +161,11 @@ class Problem:
     file: Source | None = field(default=None, compare=False)
 
     @property
+    def solutions(self) -> int:
+        """How many solutions are asked for: of each part one by each of its methods."""
+        return sum(len(part.methods) for part in self.parts)
+
+    @property
     def labels(self) -> Mapping[str, str]:
         """The names of the parts as they are printed."""
         return labels_of([part.id for part in self.parts])

@@ -5,8 +5,9 @@ import sympy as sp
 
 from solver.classroom.judging.entries import all_right, entrywise
 from solver.classroom.submitted import Submitted
+from solver.decimals import exactly
 from solver.derivation import Status
-from solver.engine import exactly, given_of
+from solver.engine import given_of
 from solver.tasks import catalogue
 from tests.helpers.solved import EXAMPLES, by_problem, solution_of
 

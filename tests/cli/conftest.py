@@ -59,9 +59,12 @@ def called(monkeypatch):
     calls = Processes.calls
 
     def noting(self, limits, function, these):
-        these = list(these)
-        noted.extend((function.__name__, each[2] if function.__name__ == "_written" else each[0]) for each in these)
-        return calls(self, limits, function, these)
+        def each_noted():
+            for each in these:
+                noted.append((function.__name__, each[2] if function.__name__ == "_written" else each[0]))
+                yield each
+
+        return calls(self, limits, function, each_noted())
 
     monkeypatch.setattr(Processes, "calls", noting)
     return noted

@@ -58,7 +58,7 @@ def test_nothing_is_solved_or_written_again(solve, tmp_path, called):
     assert not called
     assert state(tmp_path / OUT) == before
     assert solve("exam", "exam.yaml", "--again") == first
-    assert {name for name, _ in called} == {"judged", "question_made", "_written"}
+    assert {name for name, _ in called} == {"tried", "made_of", "_written"}
     assert bytes_of(tmp_path / OUT) == {name: content for name, (content, _) in before.items()}
 
 
@@ -84,7 +84,7 @@ def test_what_kept_a_family_from_having_enough_members_is_told_again(solve, tmp_
 def test_a_question_that_changed_is_solved_alone(solve, made, tmp_path, called):
     (tmp_path / "step.yaml").write_text(PROBLEM.replace("s+4", "s+5"), encoding="utf-8")
     assert solve("exam", "exam.yaml").code == 0
-    assert [text for name, text in called if name == "question_made"] == [PROBLEM.replace("s+4", "s+5")]
+    assert [text for name, text in called if name == "made_of"] == [PROBLEM.replace("s+4", "s+5")]
     assert [label for name, label in called if name == "_written"] == ["1", "2"]
     anew = tmp_path / "anew"
     assert solve("exam", "exam.yaml", "-o", "anew").code == 0
@@ -109,8 +109,8 @@ def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, made, tmp_p
     [
         (lambda text: text.replace("Final", "Second"), {"_written"}),
         (lambda text: text.replace("duration: 120", "duration: 90"), {"_written"}),
-        (lambda text: text.replace("seed: 2026", "seed: 2027"), {"judged", "question_made", "_written"}),
-        (lambda text: text.replace("marks: 10}", "marks: 12}"), {"question_made", "_written"}),
+        (lambda text: text.replace("seed: 2026", "seed: 2027"), {"tried", "_written"}),
+        (lambda text: text.replace("marks: 10}", "marks: 12}"), {"made_of", "_written"}),
         (lambda text: f"# a comment\n{text}", set()),
     ],
 )
@@ -130,7 +130,7 @@ def test_what_cannot_be_read_is_made_again(solve, made, tmp_path, called):
     again = solve("exam", "exam.yaml")
     assert (again.code, again.out) == (first.code, first.out)
     assert "is not used, and all is made again" in again.err
-    assert {name for name, _ in called} == {"judged", "question_made", "_written"}
+    assert {name for name, _ in called} == {"tried", "made_of", "_written"}
     assert bytes_of(tmp_path / OUT) == before
 
 
@@ -166,7 +166,7 @@ def test_more_variants_keep_those_there_are(solve, made, tmp_path, called):
     called.clear()
     write_exam(tmp_path, EXAM.replace("count: 2", "count: 3"))
     assert solve("exam", "exam.yaml").code == 0
-    assert len([name for name, _ in called if name == "question_made"]) == 1
+    assert len([name for name, _ in called if name == "tried"]) == 1
     after = bytes_of(tmp_path / OUT)
     assert {name: after[name] for name in before if name != "variants.csv"} == {
         name: content for name, content in before.items() if name != "variants.csv"

@@ -55,25 +55,25 @@ def test_what_was_drawn_is_not_drawn_or_solved_again(solve, family, tmp_path, ca
     again = solve(*words, "--count", 1)
     assert (again, called) == (first, [])
     assert solve(*words, "--count", 2).code == 0
-    assert [name for name, _ in called].count("made") == 1
-    judged = [text for name, text in called if name == "judged"]
+    assert {name for name, _ in called} == {"tried"}
+    tried = len(called)
     more = written(tmp_path / "build")
     assert {name: more[name] for name in before} == before
     called.clear()
     assert solve(*words, "--count", 2, "--again").code == 0
-    assert {name for name, _ in called} == {"judged", "made"}
-    assert len([name for name, _ in called if name == "judged"]) > len(judged)
+    assert {name for name, _ in called} == {"tried"}
+    assert len(called) > tried
     assert written(tmp_path / "build") == more
     called.clear()
     for path in (tmp_path / "build" / ".solve").iterdir():
         path.write_bytes(b"[")
     assert solve(*words, "--count", 2).code == 0
-    assert {name for name, _ in called} == {"judged", "made"}
+    assert {name for name, _ in called} == {"tried"}
     assert written(tmp_path / "build") == more
     (tmp_path / family).write_text(FAMILY.replace("A family", "Another family"), encoding="utf-8")
     called.clear()
     assert solve(*words, "--count", 2).code == 0
-    assert [name for name, _ in called].count("made") == 2
+    assert len(called) >= 2
 
 
 def test_where_there_are_too_few_it_is_said_what_rejected_the_others(solve, tmp_path):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from itertools import islice
 
 import numpy as np
 import pytest
@@ -17,6 +16,7 @@ from solver.papers.draws import Draws
 from solver.papers.generator import stream
 from solver.papers.judging import Rejection
 from solver.papers.search import BEFORE
+from tests.papers.searching import candidates
 
 REGULATOR = """\
 parameters: {a: 0, b: 0, q_1: 1, q_2: 3, q_3: 3, r: 1}
@@ -149,7 +149,7 @@ def test_equations_are_solved_for_a_name(search_of, required, holds):
     search = search_of(text + f'system: {{A: [[a, b], [c, 0]]}}\nfind: {{f: stability}}\nrequire: ["{required}"]\n')
     for values in constructed(search):
         assert holds(*(values[name] for name in "abc"))
-    found = list(islice(search.candidates(), 6))
+    found = candidates(search, 6)
     assert len(found) == 6
     assert found[-1].number < 400
 
@@ -163,7 +163,7 @@ def test_a_member_is_drawn_by_its_number_alone(search_of):
 
 def test_every_other_draw_is_constructed(search_of):
     search = search_of(REGULATOR)
-    found = list(islice(search.candidates(), 6))
+    found = candidates(search, 6)
     assert [each.number for each in found] == [1, 3, 5, 7, 9, 11]
     assert search.rejections[Rejection("f.K: integers")] + search.rejections[Rejection("f.P: integers")] == 5
 
@@ -184,7 +184,7 @@ def test_a_small_family_is_looked_through(search_of):
 
 def test_a_draw_that_was_made_before_is_none(search_of):
     search = search_of(FOUR, most=400)
-    found = [each.draw.told for each in search.candidates()]
+    found = [each.draw.told for each in candidates(search)]
     assert len(set(found)) == len(found) > 20
     assert search.rejections[BEFORE] > 0
 

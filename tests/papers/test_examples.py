@@ -2,8 +2,10 @@
 
 import pytest
 
-from solver.papers.families import Wanted, family_of, members
-from solver.papers.judging import judged
+from solver.limits import Limits
+from solver.papers.families import family_of, members
+from solver.papers.judging import Judged, judged
+from solver.papers.making import Making, Wanted, made
 from solver.papers.search import Search
 from solver.problem.files import load
 from solver.problem.reader import read_problem
@@ -17,14 +19,15 @@ FAMILIES = [path for path in PROBLEMS if path.parent.name == "families"]
 def test_the_default_is_a_member_itself(path):
     source = load(path)
     family = family_of(read_problem(source, catalogue()))
-    assert judged(source.text, source.name, family.required, family.nice) is None
+    assert isinstance(judged(source.text, source.name, family.required, family.nice), Judged)
 
 
 @pytest.mark.parametrize(**by_problem(FAMILIES, quick=[]))
 def test_there_are_four_members(path, loaded):
     source = load(path)
     search = Search(source, family_of(read_problem(source, catalogue())), seed=1)
-    found = list(members(search, 4, Wanted(formats=("html",), difficulty=True), path.stem))
+    making = Making(made, Wanted(formats=("html",), difficulty=True), Limits())
+    found = list(members(search, 4, making, path.stem))
     assert [member.name for member in found] == [f"{path.stem}-0{number}" for number in range(1, 5)]
     assert all(member.made.difficulty.decimals == 0 for member in found)
     assert all(b"Verified" in member.made.files[".html"] for member in found)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import islice
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -17,7 +15,11 @@ from solver.papers.generator import stream
 from solver.papers.judging import Rejection
 from solver.papers.niceness import is_nice, may_be_nice
 from solver.papers.telling import shortage, took
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
 from tests.papers.conftest import FAMILY
+from tests.papers.searching import candidates
 
 LQR = """\
 parameters: {q: 1, w: 2}
@@ -37,7 +39,7 @@ find: {{a: eigenstructure}}
 
 
 def drawn(search):
-    return [dict(each.draw.texts) for each in search.candidates()]
+    return [dict(each.draw.texts) for each in candidates(search)]
 
 
 def test_an_exhausted_family_has_exactly_the_members_that_hold(search_of):
@@ -53,7 +55,7 @@ def test_a_seed_draws_the_same_however_it_is_looked_at(search_of):
     first = drawn(search_of())[:6]
     with Processes(3) as executor:
         search = search_of(executor=executor)
-        assert [dict(each.draw.texts) for each in islice(search.candidates(), 6)] == first
+        assert [dict(each.draw.texts) for each in candidates(search, 6)] == first
     assert [each["a"] + each["b"] + each["p"] for each in first] == FIRST
     assert drawn(search_of(seed=8))[:6] != first
 
@@ -63,13 +65,13 @@ FIRST = ["3-2-2", "4-2-2", "31-3", "40-4", "12-2", "31-4"]
 
 def test_what_it_took_is_told(search_of):
     search = search_of()
-    list(search.candidates())
+    candidates(search)
     assert took(search) == "108 draws of 108 choices; rejected 48 by f.K: integers; 15 by a != 2"
     told = shortage(search, search.source, 60).render()
     assert "family.yaml:8:8: error: found 45 of 60 members: all 108 choices were drawn" in told
     assert "and 48 were rejected by 'f.K: integers', more than by anything else" in told
     search = search_of(most=5)
-    list(search.candidates())
+    candidates(search)
     assert "after 5 draws" in shortage(search, search.source, 60).render()
     assert "--draws N" in shortage(search, search.source, 60).render()
 
@@ -149,8 +151,8 @@ def test_eigenvalues_need_no_formula(search_of):
     (formula,) = [each for each, _ in Formulas.of(search.source, search.family).compiled]
     assert formula.numbers is eigenvalues
     assert [len(row) for row in formula.pattern] == [3, 3, 3]
-    for each in islice(search.candidates(), 3):
-        (result,) = solve_problem(each.problem).parts
+    for each in candidates(search, 3):
+        (result,) = solve_problem(read_problem(Source("member.yaml", each.text), catalogue())).parts
         assert all(value.is_Integer for value in result.answers["eigenvalues"])
 
 

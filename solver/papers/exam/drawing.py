@@ -13,10 +13,11 @@ from solver.executors import Executor, Processes
 from solver.limits import Exceeded, Limits
 from solver.papers.again import members_again
 from solver.papers.exam.model import Exam, Question
-from solver.papers.exam.packed import Packed
-from solver.papers.exam.telling import Asked, QuestionMade, question_made
-from solver.papers.families import Made
+from solver.papers.exam.question import Asked, QuestionMade
+from solver.papers.exam.telling import question_made
+from solver.papers.judging import Judged
 from solver.papers.kept import NOTHING, Kept, MadeBefore, facts_of
+from solver.papers.making import Made, made_of
 from solver.papers.search import MOST_DRAWS, Search, Tell
 from solver.papers.telling import shortage
 from solver.problem.source import InputError
@@ -38,7 +39,7 @@ class Means:
     space: Fraction | None = None
     kept: Kept = NOTHING
     partly: bool = False
-    make: Callable[[str, str, Any], QuestionMade] = question_made
+    make: Callable[[Judged, str, Any], QuestionMade] = question_made
     factor: int = 1
 
 
@@ -49,12 +50,7 @@ class Drawn:
     question: Question
     values: Mapping[str, str]
     text: str
-    packed: Packed
-
-    @property
-    def made(self) -> QuestionMade:
-        """What was made of it: opened anew each time."""
-        return self.packed.opened()
+    made: QuestionMade
 
 
 def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) -> list[list[Drawn]]:
@@ -66,7 +62,7 @@ def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) ->
     count, found = len(exam.variants), dict[int, list[Drawn]]()
     fixed = [each for each in exam.questions if each.problem.family is None]
     for question, made in _alike(exam, fixed, means, tell):
-        found[question.number] = [Drawn(question, {}, question.source.text, Packed.of(made))] * count
+        found[question.number] = [Drawn(question, {}, question.source.text, made)] * count
     done = len(fixed)
     for question in exam.questions:
         if question.problem.family is not None:
@@ -92,9 +88,9 @@ def _alike(exam: Exam, questions: list[Question], means: Means, tell: Tell) -> I
     for question in questions:
         results[question.number] = _memory(question, means).get(question.source.text)
     new = [each for each in questions if results[each.number] is None]
-    calls = [(each.source.text, each.source.name, asked_of(each, means)) for each in new]
-    parts = max((_parts(each) for each in new), default=1)
-    for place, result in means.executor.calls(_limits(means, parts), means.make, calls):
+    calls = [(each.source.text, each.source.name, means.make, asked_of(each, means)) for each in new]
+    parts = max((each.problem.solutions for each in new), default=1)
+    for place, result in means.executor.calls(_limits(means, parts), made_of, calls):
         results[new[place].number] = result
         tell(0, sum(each is not None for each in results.values()))
         if isinstance(result, QuestionMade) and result.status is Status.VERIFIED:
@@ -118,7 +114,7 @@ def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tel
     search = search_of(exam, question, means, tell)
     asked, name = asked_of(question, means), f"question-{question.number}"
     some = members_again(means.kept, question.problem, search, count, asked, name, means.make, QuestionMade)
-    found = [Drawn(question, each.values, each.text, Packed.of(_question(each.made))) for each in some]
+    found = [Drawn(question, each.values, each.text, _question(each.made)) for each in some]
     return in_turn(exam, question, search, found, count)
 
 
@@ -163,16 +159,12 @@ def search_of(exam: Exam, question: Question, means: Means, tell: Tell = lambda 
     family = question.problem.family
     if family is None:
         raise AssertionError("only a family has members")
-    return Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.executor, tell)
+    return Search(question.source, family, exam.seed_of(question), means.draws, means.executor, tell)
 
 
 def asked_of(question: Question, means: Means) -> Asked:
     """Return what is wanted of a question."""
     return Asked((), means.presentation, _limits(means, 1), False, question.number, question.marks)
-
-
-def _parts(question: Question) -> int:
-    return sum(len(part.methods) for part in question.problem.parts)
 
 
 def _limits(means: Means, parts: int) -> Limits:

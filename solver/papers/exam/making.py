@@ -11,10 +11,11 @@ from typing import Any
 from solver.classroom.blank import HOW, comment, quoted
 from solver.classroom.report.table import harmless
 from solver.document.exam import ExamDocument, ExamQuestion
-from solver.document.model import Document, Presentation
+from solver.document.model import Document
 from solver.limits import Exceeded
 from solver.papers.exam.drawing import Drawn, Means, asked_of
-from solver.papers.exam.model import Exam, Variant
+from solver.papers.exam.model import Exam, Question, Variant
+from solver.papers.exam.packed import opened
 from solver.papers.exam.scaling import scaled
 from solver.papers.kept import facts_of
 from solver.render.exam import EXAM_FORMATS
@@ -49,10 +50,14 @@ def files_of(
 
     Those that are there already are not written again.
     """
-    pairs = list(zip(exam.variants, variants, strict=True))
     there = {variant.label for variant in exam.variants if is_there(variant)}
-    calls = ((paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
-             for pair in pairs if pair[0].label not in there)  # fmt: skip
+    marks = {each.number: _marks_of(each) for each in exam.questions}
+    covers = _covers(exam, _text(sum(marks.values())), means)
+    calls = (
+        (*_covers_of(variant, len(exam.variants), covers), variant.label, tuple(formats),
+         tuple(_placed(each, _text(marks[each.question.number])) for each in questions))
+        for variant, questions in zip(exam.variants, variants, strict=True) if variant.label not in there
+    )  # fmt: skip
     limits = means.limits.times(2 * len(exam.questions))
     results = means.executor.in_order(limits, _written, calls)
     for variant in exam.variants:
@@ -75,66 +80,78 @@ def facts_of_paper(
     return [asked, cover, variant.number, variant.student, list(formats), repr(means.presentation), str(means.space)]
 
 
-def _written(paper: ExamDocument, key: ExamDocument, label: str, formats: Sequence[str]) -> dict[str, bytes] | str:
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A question as it is sent to who writes it: `told` as a paper and a key tell it, packed; see `ExamQuestion`."""
+
+    number: int
+    title: str
+    marks: str
+    page_break: bool
+    told: bytes | tuple[Document, Document]
+
+
+def _written(
+    paper: ExamDocument, key: ExamDocument, label: str, formats: Sequence[str], placed: Sequence[Placed]
+) -> dict[str, bytes] | str:
     """Return the files of a paper and its key, or what is wrong with the templates or TeX, in words."""
     from jinja2 import TemplateError  # noqa: PLC0415 - only who writes needs it
 
     from solver.render.pdf import PdfUnavailable  # noqa: PLC0415 - as above
 
     files: dict[str, bytes] = {}
+    documents = zip(*(opened(each.told) for each in placed), strict=True)
     try:
-        for folder, stem, told in ((PAPERS, "paper", paper), (KEYS, "key", key)):
+        for folder, stem, cover, told in zip((PAPERS, KEYS), ("paper", "key"), (paper, key), documents, strict=True):
+            whole = _with_questions(cover, placed, told)
             for name in formats:
                 format_ = EXAM_FORMATS[name]
-                files[f"{folder}/{stem}-{label}{format_.suffix}"] = format_.write(told)
-                files |= {f"{folder}/{each}": content for each, content in format_.beside(told).items()}
+                files[f"{folder}/{stem}-{label}{format_.suffix}"] = format_.write(whole)
+                files |= {f"{folder}/{each}": content for each, content in format_.beside(whole).items()}
     except (PdfUnavailable, TemplateError) as error:
         return str(error)
     return files
 
 
-def paper_of(exam: Exam, variant: Variant, questions: Sequence[Drawn], means: Means) -> ExamDocument:
-    """Return the paper of a variant: no answer is in it."""
-    told = replace(means.presentation, detail="question", checks="")
-    paper = _told(exam, variant, [(each, each.made.paper) for each in questions], told)
-    return replace(paper, space=means.space)
-
-
-def key_of(exam: Exam, variant: Variant, questions: Sequence[Drawn], means: Means) -> ExamDocument:
-    """Return the key of a variant, as much of it as the presentation tells."""
-    return _told(exam, variant, [(each, each.made.key) for each in questions], means.presentation)
-
-
-def _told(
-    exam: Exam, variant: Variant, questions: Sequence[tuple[Drawn, Document | None]], told: Presentation
-) -> ExamDocument:
-    carried = [_marks_of(each) for each, _ in questions]
-    shown = tuple(
-        ExamQuestion(each.question.number, each.question.title, _text(marks), document, each.question.page_break)
-        for (each, document), marks in zip(questions, carried, strict=True)
-        if document is not None
+def _with_questions(cover: ExamDocument, placed: Sequence[Placed], documents: Sequence[Document]) -> ExamDocument:
+    """Return a paper or a key with its questions."""
+    questions = tuple(
+        ExamQuestion(each.number, each.title, each.marks, document, each.page_break)
+        for each, document in zip(placed, documents, strict=True)
     )
-    messages = shown[0].document.messages
-    return ExamDocument(
+    return replace(cover, questions=questions, messages=questions[0].document.messages)
+
+
+def _covers(exam: Exam, total: str, means: Means) -> tuple[ExamDocument, ExamDocument]:
+    """Return a paper, in which no answer is, and a key, as much of it as the presentation tells: without questions."""
+    key = ExamDocument(
         title=exam.title,
         course=exam.course,
         date=exam.date,
         duration=exam.duration,
         instructions=exam.instructions,
-        total=_text(sum(carried)),
-        questions=shown,
-        variant=str(variant.number) if len(exam.variants) > 1 else "",
-        student=variant.student,
-        presentation=told,
-        messages=messages,
+        total=total,
+        questions=(),
+        presentation=means.presentation,
     )
+    told = replace(means.presentation, detail="question", checks="")
+    return replace(key, presentation=told, space=means.space), key
 
 
-def _marks_of(each: Drawn) -> Any:
+def _covers_of(variant: Variant, variants: int, covers: Sequence[ExamDocument]) -> Iterator[ExamDocument]:
+    """Yield the covers of a variant."""
+    for each in covers:
+        yield replace(each, variant=str(variant.number) if variants > 1 else "", student=variant.student)
+
+
+def _placed(each: Drawn, marks: str) -> Placed:
+    question = each.question
+    return Placed(question.number, question.title, marks, question.page_break, each.made.told)
+
+
+def _marks_of(question: Question) -> Any:
     """Return the marks of a question."""
-    return sum(
-        part.marks for part in scaled(each.question.problem, each.question.marks).parts if part.marks is not None
-    )
+    return sum(part.marks for part in scaled(question.problem, question.marks).parts if part.marks is not None)
 
 
 def _text(marks: Any) -> str:
@@ -144,7 +161,7 @@ def _text(marks: Any) -> str:
 def answer_file(exam: Exam, named: str, variant: Variant, questions: Sequence[Drawn]) -> str:
     """Return the file that a student fills in; `named` is the exam as it is found from there."""
     made = [each.made for each in questions]
-    say = made[0].paper.messages.say if made[0].paper else str
+    say = made[0].messages.say
     lines = [*comment(exam.title), *comment(say(HOW))]
     lines += [" ".join(["exam:", quoted(named)])] if named else []
     lines += [f"variant: {variant.number}"]
@@ -153,7 +170,7 @@ def answer_file(exam: Exam, named: str, variant: Variant, questions: Sequence[Dr
         number = each.question.number
         heading = say(Phrase("Question {number}", number=number))
         lines += ["", *comment(f"{heading}. {each.question.title}".removesuffix(" "), "  ")]
-        lines += [f"  {number}:", *(f"  {line}" if line else line for line in told.sheet)]
+        lines += [f"  {number}:", *(f"  {line}" if line else line for line in told.sheet.split("\n"))]
     return "\n".join(lines) + "\n"
 
 

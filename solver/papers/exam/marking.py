@@ -20,7 +20,7 @@ from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.scaling import scaled
 from solver.papers.exam.solved import solve_each
 from solver.papers.exam.submitted import ExamSubmission
-from solver.papers.families import Wanted
+from solver.papers.making import Wanted
 from solver.papers.marked import MarkedBefore, keep_worked, worked_before
 from solver.problem.model import Problem
 from solver.problem.partial import ruled

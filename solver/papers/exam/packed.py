@@ -1,41 +1,33 @@
-"""Questions as they are held while a thousand variants are made: as a few kilobytes each, opened when they are written.
+"""Papers and keys of questions as they are held while a thousand variants are made: opened by who writes them.
 
-As objects they would take ten times as much, and all variants are drawn before the first is written.
+As objects they would take ten times as much, and all variants are drawn before the first is written. They are packed in
+the process in which they are made: the one that leads neither packs nor opens them.
 """
 
 from __future__ import annotations
 
 import json
 import zlib
-from dataclasses import dataclass
 
-from solver.papers.exam.telling import QuestionMade
+from solver.document.model import Document
 from solver.papers.plain import NotPlain, as_plain, of_plain
 
 FAST = 1
 """Whatever packs better takes longer than it is worth."""
 
 
-@dataclass(frozen=True, slots=True)
-class Packed:
-    """What was made of a question, as bytes; or itself, where it is no plain data."""
+def packed(paper: Document, key: Document) -> bytes | tuple[Document, Document]:
+    """Return what a paper and a key tell, as a few kilobytes; as it is where it is no plain data."""
+    try:
+        text = json.dumps(as_plain([paper, key]), ensure_ascii=False, separators=(",", ":"))
+    except NotPlain:
+        return paper, key
+    return zlib.compress(text.encode("utf-8", "surrogatepass"), FAST)
 
-    content: bytes | QuestionMade
 
-    @staticmethod
-    def of(made: QuestionMade) -> Packed:
-        """Pack what was made."""
-        try:
-            text = json.dumps(as_plain(made), ensure_ascii=False, separators=(",", ":"))
-        except NotPlain:
-            return Packed(made)
-        return Packed(zlib.compress(text.encode("utf-8", "surrogatepass"), FAST))
-
-    def opened(self) -> QuestionMade:
-        """Return what was made."""
-        if isinstance(self.content, QuestionMade):
-            return self.content
-        found = of_plain(json.loads(zlib.decompress(self.content).decode("utf-8", "surrogatepass")))
-        if not isinstance(found, QuestionMade):
-            raise AssertionError("only what was made is packed")
-        return found
+def opened(told: bytes | tuple[Document, Document]) -> tuple[Document, Document]:
+    """Return the paper and the key that were packed."""
+    if isinstance(told, tuple):
+        return told
+    paper, key = of_plain(json.loads(zlib.decompress(told).decode("utf-8", "surrogatepass")))
+    return paper, key

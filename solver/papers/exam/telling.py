@@ -2,47 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import PurePath
-from typing import TYPE_CHECKING
 
 from solver.classroom.blank import blank_parts
 from solver.derivation import Status
 from solver.document.exam import as_question
-from solver.document.model import Document
 from solver.document.works import document_of, solve_as_told
+from solver.papers.exam.packed import packed
+from solver.papers.exam.question import Asked, QuestionMade
 from solver.papers.exam.scaling import scaled
-from solver.papers.families import Made, Wanted
-from solver.problem.reader import read_problem
-from solver.problem.source import Source
-from solver.tasks import catalogue
-
-if TYPE_CHECKING:
-    import sympy as sp
+from solver.papers.judging import Judged
 
 
-@dataclass(frozen=True, slots=True)
-class Asked(Wanted):
-    """What is wanted of a question: `presentation` tells its key."""
-
-    number: int = 1
-    marks: sp.Rational | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class QuestionMade(Made):
-    """A question as it stands on a paper and in a key, and the lines of the file to fill in; none where it failed."""
-
-    paper: Document | None = None
-    key: Document | None = None
-    sheet: tuple[str, ...] = ()
-
-
-def question_made(text: str, source: str, asked: Asked) -> QuestionMade:
+def question_made(draw: Judged, source: str, asked: Asked) -> QuestionMade:
     """Solve, verify and tell a question, in this process."""
     told = asked.presentation
-    problem = told.of(scaled(read_problem(Source(source, text), catalogue()), asked.marks))
-    solution = solve_as_told(problem, told)
+    solution = solve_as_told(told.of(scaled(draw.problem, asked.marks)), told, draw.found)
     name = PurePath(source).name
     key = document_of(solution, told, name)
     judged = key if told.detail in {"full", "tutor"} else document_of(solution, replace(told, detail="full"), name)
@@ -50,7 +26,6 @@ def question_made(text: str, source: str, asked: Asked) -> QuestionMade:
         part = next(part for part in judged.parts if part.status is not Status.VERIFIED)
         return QuestionMade(judged.status, f"part {part.letter}: {part.reason}", {})
     paper = document_of(solution, replace(told, detail="question", checks=""), name)
-    sheet = tuple(blank_parts(solution, told.templates))
-    return QuestionMade(
-        Status.VERIFIED, "", {}, None, as_question(paper, asked.number), as_question(key, asked.number), sheet
-    )
+    sheet = "\n".join(blank_parts(solution, told.templates))
+    together = packed(as_question(paper, asked.number), as_question(key, asked.number))
+    return QuestionMade(Status.VERIFIED, "", {}, None, together, sheet, paper.messages)

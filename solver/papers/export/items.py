@@ -15,13 +15,14 @@ from solver.derivation import Status
 from solver.document.model import Document, WorkAnswer
 from solver.document.works import document_of, solve_as_told
 from solver.engine import Solution
+from solver.papers.exam.question import Asked as Wanted
+from solver.papers.exam.question import QuestionMade
 from solver.papers.exam.scaling import scaled
-from solver.papers.exam.telling import Asked as Wanted
-from solver.papers.exam.telling import QuestionMade
 from solver.papers.export.bench import Bench
 from solver.papers.export.fields import NoField, asked_of_answer
 from solver.papers.export.quiz import Asked, Essay, Item, Number, Text
 from solver.papers.export.told import NUMBERS, key_of, question_of, solution_of
+from solver.papers.judging import Judged
 from solver.problem.model import Part
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
@@ -67,9 +68,9 @@ FACTOR = 3
 """A question is solved, told and marked many times over: it may take so many times as long as one for a paper."""
 
 
-def bank_made(text: str, source: str, asked: Wanted) -> BankMade:
+def bank_made(draw: Judged, source: str, asked: Wanted) -> BankMade:
     """Solve and verify a question as `question_made` does, and make its items of the same solution."""
-    solution, worked = _solved(text, source, asked)
+    solution, worked = _solved(draw, source, asked)
     judged = worked if worked.presentation.detail in {"full", "tutor"} else worked.told(detail="full")
     part = next((part for part in judged.parts if part.status is not Status.VERIFIED), None)
     reason = f"part {part.letter}: {part.reason}" if part else ""
@@ -78,14 +79,13 @@ def bank_made(text: str, source: str, asked: Wanted) -> BankMade:
 
 def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
     """Solve, verify and tell a question, in this process. Identifiers and names are still those of its parts."""
-    return _items_of(*_solved(text, source, asked))
+    return _items_of(*_solved(Judged(read_problem(Source(source, text), catalogue())), source, asked))
 
 
-def _solved(text: str, source: str, asked: Wanted) -> tuple[Solution, Document]:
+def _solved(draw: Judged, source: str, asked: Wanted) -> tuple[Solution, Document]:
     """Return a question solved, and as it is told."""
     told = asked.presentation
-    problem = told.of(scaled(read_problem(Source(source, text), catalogue()), asked.marks))
-    solution = solve_as_told(problem, told)
+    solution = solve_as_told(told.of(scaled(draw.problem, asked.marks)), told, draw.found)
     return solution, document_of(solution, told, PurePath(source).name)
 
 

@@ -17,7 +17,8 @@ from solver.api import solve, source_of
 from solver.document.model import Document
 from solver.executors import Processes
 from solver.limits import Limits
-from solver.papers.families import Wanted, family_of, members
+from solver.papers.families import family_of, members
+from solver.papers.making import Making, Wanted, made
 from solver.papers.search import MOST_DRAWS, Search
 from solver.papers.telling import shortage
 from solver.problem.reader import file_stem, read_problem
@@ -56,11 +57,13 @@ def variants(
     members than asked for.
     """
     source = source_of(problem)
-    family = family_of(read_problem(source, catalogue()))
+    read = read_problem(source, catalogue())
+    family, each = family_of(read), Limits(**limits)
+    making = Making(made, Wanted(limits=each), each.times(read.solutions))
     with Processes(jobs) as executor, shown(progress) as tell:
         told = partial(_told, tell, count)
-        search = Search(source, family, seed, Limits(**limits), draws, executor, told)
-        found = list(members(search, count, Wanted(limits=Limits(**limits)), file_stem(source.name)))
+        search = Search(source, family, seed, draws, executor, told)
+        found = list(members(search, count, making, file_stem(source.name)))
         told(search.draws, len(found))
     if len(found) < count:
         raise shortage(search, source, count)
