@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from operator import is_
 from typing import Any
 
 import sympy as sp
@@ -70,8 +71,10 @@ def with_matrices(value: Any, matrices: Mapping[str, Any]) -> Any:
     An expression with several of them is left as it is, since the order of factors is lost in it.
     """
     if isinstance(value, Stated):
-        return Stated(value.operation, tuple(with_matrices(each, matrices) for each in value.operands))
-    if not isinstance(value, sp.Expr):
+        operands = tuple(with_matrices(each, matrices) for each in value.operands)
+        same = all(map(is_, operands, value.operands))
+        return value if same else Stated(value.operation, operands)
+    if not isinstance(value, sp.Expr) or value.is_Number:
         return value
     inside: list[Any] = [symbol for symbol in numeric.free_symbols(value) if symbol.name in matrices]
     if len(inside) != 1:

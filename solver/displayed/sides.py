@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import log10
+from operator import is_
 from typing import Any
 
 import sympy as sp
@@ -23,7 +24,9 @@ def has_value(formula: Any) -> bool:
 def frozen(value: Any) -> Any:
     """Return a value that can be looked up; some matrices of steps are mutable."""
     if isinstance(value, Stated):
-        return Stated(value.operation, tuple(map(frozen, value.operands)))
+        operands = tuple(map(frozen, value.operands))
+        same = all(map(is_, operands, value.operands))
+        return value if same else Stated(value.operation, operands)
     return sp.ImmutableMatrix(value) if isinstance(value, sp.MutableDenseMatrix) else value
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -27,6 +28,8 @@ from solver.problem.source import Report, did_you_mean
 from solver.symbols import MEANINGS
 
 R = TypeVar("R")
+
+_WHOLE = re.compile(r"0|-?[1-9][0-9]{0,8}")
 
 ASSUMPTIONS: Mapping[str, Mapping[str, bool]] = {
     "positive": {"positive": True},
@@ -86,6 +89,8 @@ class Lexicon:
 
     def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = BARRED) -> sp.Expr:
         """Return a value as a finite exact expression, in which the `variables` may occur and the `barred` may not."""
+        if _WHOLE.fullmatch(text := scalar(node).text):  # most entries of a course: they need no grammar
+            return sp.Integer(int(text))
         value: sp.Expr = self._read(parse_expression, scalar(node), variables, barred)
         _check_finite(node, value)
         return value

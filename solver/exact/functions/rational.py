@@ -124,10 +124,10 @@ def written_out(rest: Sequence[Any], left: Sequence[tuple[Modulus, int]], K: Any
     if K.is_QQ:
         begins_with_minus = all(c <= 0 for c in rest)
         above = in_powers([-c for c in rest] if begins_with_minus else rest, K, x)
-        if below and above.is_Number:
-            return product_of_powers(-above if begins_with_minus else above, below)
-        if below and above.is_Add:
-            return product_of_powers(sp.Integer(-1 if begins_with_minus else 1), [above, *below])
+        if below:
+            number, power = (sp.S.One, above) if above.is_Add else above.as_coeff_Mul()
+            powers = below if power is sp.S.One else [power, *below]
+            return product_of_powers(-number if begins_with_minus else number, powers)
     else:
         above = in_powers(rest, K, x)
         begins_with_minus = all(term.could_extract_minus_sign() for term in sp.Add.make_args(above))

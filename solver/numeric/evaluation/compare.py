@@ -23,6 +23,7 @@ from solver.words import Phrase
 QUIET = 1e-10
 """Noise up to this absolute size is low enough to tell that what is stated to be zero is zero."""
 
+TINY = 1e-300
 CLEARLY = 1e-2
 """Values that are so much nearer than they must be agree, whatever rounding might explain."""
 
@@ -59,8 +60,8 @@ def residuals(
     if arithmetic is not DOUBLE:
         difference = np.where(l_value == r_value, 0.0, difference)  # ∞ = ∞
     clear = difference <= CLEARLY * tolerance * size
-    if clear.all() and not np.isinf(size).any():
-        return difference / np.where(size == 0, 1.0, size), clear
+    if clear.all() and size.max() < np.inf:
+        return difference / np.maximum(size, TINY), clear
     noise = SAFETY * arithmetic.eps * (left.magnitude + right.magnitude)
     scale = np.maximum(size, noise / tolerance)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))  # the noise may be unknown
@@ -95,13 +96,14 @@ def worst_residual(sides: Sides, points: Sequence[Point], precision: Precision =
     points but the last, at which they must agree to 20 digits, evaluated with 30. Raises Undefined if a side has no
     value somewhere.
     """
-    tolerance = precision.tolerance
+    tolerance, exactly, digits = precision.tolerance, precision is EXACT, DOUBLE.digits
     with np.errstate(all="ignore"):
         known = _in_doubles(sides, points, precision.settled)
-        in_doubles = float(np.concatenate([residual[settled] for residual, settled in known]).max(initial=0.0))
-        exactly, digits = precision is EXACT, DOUBLE.digits
+        in_doubles = max(float(residual[settled].max(initial=0.0)) for residual, settled in known)
+        if not exactly and all(settled.all() for _, settled in known):
+            return Residual(in_doubles, tolerance), digits
         found = 0.0 if exactly else in_doubles
-        for p, (_, settled) in enumerate(known):
+        for p, settled in enumerate(row for _, rows in known for row in rows):
             to_all_digits = exactly and p == len(points) - 1
             if settled.all() and not to_all_digits:
                 continue
@@ -119,14 +121,17 @@ def worst_residual(sides: Sides, points: Sequence[Point], precision: Precision =
 
 
 def _in_doubles(sides: Sides, points: Sequence[Point], tolerance: float) -> list[tuple[Array, Array]]:
-    """Return the residuals of the entries at each point and what they settle; one, open, where there is no value."""
+    """Return the residuals of the entries (P×entries) and what they settle.
+
+    Where a side has no value somewhere, those of each point by itself: one, open, where there is no value.
+    """
     try:
         left, right = sides.values(points, DOUBLE)
     except Undefined:
         if len(points) == 1:
-            return [(np.full(1, np.nan), np.zeros(1, dtype=bool))]
+            return [(np.full((1, 1), np.nan), np.zeros((1, 1), dtype=bool))]
         return [known for point in points for known in _in_doubles(sides, [point], tolerance)]
-    return list(zip(*residuals(left, right, len(points), DOUBLE, tolerance), strict=True))
+    return [residuals(left, right, len(points), DOUBLE, tolerance)]
 
 
 def _left_open(sides: Sides, settled: Array) -> Sides:

@@ -54,7 +54,7 @@ def circle_around_poles(image: Any, s: Any, environment: Environment, *, centred
 def _circle_around(found: Sequence[Array], centred: bool) -> tuple[float, float]:
     """Return centre and radius."""
     poles = np.concatenate([np.zeros(0), *found])
-    centre = 0.0 if centred or not len(poles) else np.mean(poles.real)
+    centre = 0.0 if centred or not len(poles) else poles.real.sum() / len(poles)
     spread = np.max(np.abs(poles - centre), initial=0.0)
     return float(centre), float(2.1 * spread + 0.5 * abs(centre) or 1.0)
 
@@ -163,15 +163,15 @@ def _poles_of_expressions(expressions: Sequence[Any], s: Any, point: Environment
 @lru_cache(maxsize=1024)
 def _denominators(expression: Any, s: Any) -> tuple[Any, ...]:
     """Return all that the expression divides by and that holds s, in its order: sums of poles are rounded by it."""
-    if not isinstance(expression, sp.Basic) or s not in free_symbols(expression) or expression == s:
+    if isinstance(expression, sp.Add | sp.Mul):
+        return tuple(dict.fromkeys(base for argument in expression.args for base in _denominators(argument, s)))
+    if not isinstance(expression, sp.Basic) or expression == s or s not in free_symbols(expression):
         return ()
     if isinstance(expression, sp.Pow):
         base, exponent = expression.args
         if not exponent.is_Integer:
             raise NotEvaluable(Phrase("{expression} is not rational in {s}", expression=str(expression), s=str(s)))
         return (*_denominators(base, s), *([base] if exponent < 0 else []))
-    if isinstance(expression, sp.Add | sp.Mul):
-        return tuple(dict.fromkeys(base for argument in expression.args for base in _denominators(argument, s)))
     raise NotEvaluable(Phrase("{function} of {s} is not rational", function=type(expression).__name__, s=str(s)))
 
 

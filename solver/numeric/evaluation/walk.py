@@ -34,12 +34,14 @@ def rule(*classes: type) -> Callable[[Rule], Rule]:
 
 def walk(expression: Any, environment: Environment) -> Value:
     """Return the values at all points; entries that are not finite stay as nan or inf (in doubles)."""
+    cls = type(expression)
+    function = RULES.get(cls) or _rule_of_base(cls)
+    if function is _symbol:  # its value need not be looked up twice
+        return _symbol(expression, environment)
     kept = _is_kept(expression)
     known = environment.memo.get(expression) if kept else None
     if known is not None:
         return known
-    cls = type(expression)
-    function = RULES.get(cls) or _rule_of_base(cls)
     result = function(expression, environment)
     if kept:
         environment.memo[expression] = result
@@ -51,9 +53,11 @@ def _is_kept(formula: Any) -> bool:
 
     A float equals the decimal of sympy that is known to so many digits only.
     """
+    if isinstance(formula, sp.Basic):
+        return True
     if isinstance(formula, Stated):
         return all(isinstance(each, int) or _is_kept(each) for each in formula.operands)
-    return isinstance(formula, sp.Basic)
+    return False
 
 
 def _rule_of_base(cls: type) -> Rule:
