@@ -135,7 +135,8 @@ class Multiple:
 
     def rational(self, numerator: int, denominator: int = 1) -> Any:
         """p/q."""
-        return self.context.mpf(numerator) / denominator
+        above = self.context.mpf(numerator)
+        return above if denominator == 1 else above / denominator
 
     def constant(self, name: str) -> Any:
         """`pi` or `e`."""

@@ -44,7 +44,12 @@ def value_of(expression: Any, environment: Environment) -> Value:
         raise Undefined(Phrase("the formula is not defined here ({trouble})", trouble=str(trouble))) from trouble
     if not finite:
         raise Undefined("the formula has no finite value here")
-    return result
+    return Value(result.value, lambda: _quietly(result))
+
+
+def _quietly(result: Value) -> Any:
+    with np.errstate(all="ignore"):
+        return result.magnitude
 
 
 def values_at(expression: Any, symbol: Any, at: Any) -> Any:

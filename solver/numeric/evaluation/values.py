@@ -62,8 +62,7 @@ class Value:
     def magnitude(self) -> Any:
         """The size of what was added up to get the value."""
         if callable(self._magnitude):
-            with np.errstate(all="ignore"):
-                self._magnitude = self._magnitude()
+            self._magnitude = self._magnitude()
         return self._magnitude
 
     def __iter__(self) -> Iterator[Any]:

@@ -36,8 +36,8 @@ def walk(expression: Any, environment: Environment) -> Value:
     """Return the values at all points; entries that are not finite stay as nan or inf (in doubles)."""
     cls = type(expression)
     function = RULES.get(cls) or _rule_of_base(cls)
-    if function is _symbol:  # its value need not be looked up twice
-        return _symbol(expression, environment)
+    if function is _symbol or function is _rational:  # as quick as to look up what is remembered
+        return function(expression, environment)
     kept = _is_kept(expression)
     known = environment.memo.get(expression) if kept else None
     if known is not None:

@@ -58,12 +58,13 @@ def _times(A: Any, point: Point) -> list[float]:
 
 def _balanced_norm(sizes: Array) -> float:
     """Return the largest row sum of D⁻¹ |A| D, D diagonal, after some sweeps of Osborne's balancing."""
-    sizes = sizes.copy()
+    rows: list[list[float]] = sizes.tolist()  # short: numpy would take longer
     for _ in range(4):
-        for i in range(len(sizes)):
-            row, column = (float(line.sum() - sizes[i, i]) for line in (sizes[i], sizes[:, i]))
+        for i, line in enumerate(rows):
+            row, column = sum(line) - line[i], sum(each[i] for each in rows) - line[i]
             if row > 0.0 and column > 0.0:
                 factor = (column / row) ** 0.5
-                sizes[i] *= factor
-                sizes[:, i] /= factor
-    return float(sizes.sum(axis=1).max(initial=0.0))
+                rows[i] = [size * factor for size in line]
+                for each in rows:
+                    each[i] /= factor
+    return max(map(sum, rows), default=0.0)
