@@ -84,10 +84,11 @@ def _given(answer: AnswerName, part: Part) -> bool:
 def _how(value: Any, declared: AnswerName, determined: bool, say: Say) -> str:
     """Return how an answer is written: its kind, its size where that is no choice, an example that is not ours."""
     sized = isinstance(value, sp.MatrixBase) and determined and 0 not in value.shape
-    kind = say(kind_of(value))
+    kind = kind_of(value)
+    kind = say("a whole number" if declared.count and kind == "an expression" else kind)
     if sized:
         kind = say(Phrase("{kind}, {rows}×{columns}", kind=kind, rows=value.rows, columns=value.cols))
-    example = example_of(value, sized=sized, intervals=declared.intervals)
+    example = example_of(value, sized=sized, intervals=declared.intervals, zero=declared.zero, count=declared.count)
     return say(Phrase("{kind}, for example {example}", kind=kind, example=example)) if example else kind
 
 

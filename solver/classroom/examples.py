@@ -20,26 +20,33 @@ EXPRESSIONS = {
 }
 """Two of each variable, as text and as value: at most one is the answer."""
 
+COUNTS = (("11", sp.Integer(11)), ("13", sp.Integer(13)))
 CONDITIONS = {"a condition": ("0 < a < 17", "a > 23"), "a list of conditions": ("[a > 23]",)}
 FREE_MATRIX = "[[1, 2], [3, 4]]"
+DERIVATIVES = {"_dddot": "'''", "_ddot": "''", "_dot": "'"}
 
 
-def example_of(ours: Any, *, sized: bool = False, intervals: bool = False) -> str:
+def example_of(
+    ours: Any, *, sized: bool = False, intervals: bool = False, zero: bool = False, count: bool = False
+) -> str:
     """Return an example of the notation for an answer of the kind of ours, "" where there is none; never ours itself.
 
-    It has the size of a matrix only where that is `sized`; a list of numbers is one of `intervals` where that is said.
+    It has the size of a matrix only where that is `sized`; a list of numbers is one of `intervals`, of expressions that
+    are `zero` one of equations, and a number one that is counted, where that is said.
     """
     kind = kind_of(ours)
     if kind == "a matrix":
         return _matrix(ours) if sized else FREE_MATRIX
-    if isinstance(ours, list | tuple) and ours and isinstance(ours[0], Mapping):
-        return _points(ours)
     if intervals:
         return next(text for text, value in INTERVALS if list(ours) != value)
+    if isinstance(ours, list | tuple) and ours and isinstance(ours[0], Mapping):
+        return _points(ours)
     if kind == "a list":
-        return next(text for text, value in LISTS if not isinstance(ours, list | tuple) or list(ours) != value)
+        items = list(ours) if isinstance(ours, list | tuple) else []
+        return (zero and _equations(items)) or next(text for text, value in LISTS if items != value)
     if kind == "an expression":
-        return next((text for text, value in EXPRESSIONS[_variable(ours)] if not _same(ours, value)), "")
+        among = COUNTS if count else EXPRESSIONS[_variable(ours)]
+        return next((text for text, value in among if not _same(ours, value)), "")
     return next(iter(CONDITIONS.get(kind, ())), "")
 
 
@@ -52,6 +59,15 @@ INTERVALS: tuple[tuple[str, list[Any]], ...] = (
     ("(-inf, -19], [-17, -13]", [sp.Interval(-sp.oo, -19), sp.Interval(-17, -13)]),
     ("[-17, -13]", []),
 )
+
+
+def _equations(ours: Sequence[Any]) -> str:
+    """Return a list of an equation in a name of ours, in its highest derivative if there is one; "" without names."""
+    names = sorted({symbol.name for each in ours for symbol in getattr(each, "free_symbols", ())})
+    for ending, sign in DERIVATIVES.items():
+        if found := next((name.removesuffix(ending) for name in names if name.endswith(ending)), ""):
+            return f"[17 {found}{sign} + 23 {found} = 0]"
+    return f"[17 {names[0]} = 23]" if names else ""
 
 
 def _points(ours: Sequence[Mapping[Any, Any]]) -> str:

@@ -1,5 +1,6 @@
 """Blank answer files: nothing is answered in them, all that is asked can be filled in, and nothing is given away."""
 
+import json
 import re
 
 import pytest
@@ -42,7 +43,7 @@ def test_a_blank_file_answers_nothing_and_names_all_that_is_asked(path):
 @pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
 def test_the_examples_of_the_notation_are_read_and_are_not_the_answer(path):
     solution = solution_of(path)
-    text, count = EXAMPLE.subn(r"\1 '\2'", blank_answers(solution))
+    text, count = EXAMPLE.subn(lambda found: f"{found[1]} {json.dumps(found[2])}", blank_answers(solution))
     submission = read_submission(Source("filled.yaml", text), solution.problem)
     assert sum(map(len, submission.answers.values())) == count
     marker = Marker(solution, submission)
@@ -87,3 +88,12 @@ def test_texts_of_the_problem_cannot_leave_their_comment():
     text = blank_answers(solved(PLANT + find))
     assert "# A b: 1" in text
     assert marked(PLANT + find, text)["1"].marks == 0
+
+
+def test_equations_and_counts_have_examples_of_their_own():
+    system = "system: {lagrangian: {coordinates: [theta], kinetic: theta'^2/2, potential: -cos(theta)}}\n"
+    lines = lines_of(blank_answers(solved(system + "find: {a: equations_of_motion}\n")))
+    assert lines["equations"] == "    equations:  # a list, for example [17 theta'' + 23 theta = 0]"
+    find = "find: {a: {task: steady_state_error, feedback: unity, answers: [system_type]}}\n"
+    lines = lines_of(blank_answers(solved('system: {transfer_function: "1/(s(s + 1))"}\n' + find)))
+    assert lines["system_type"] == "    system_type:  # a whole number, for example 11"

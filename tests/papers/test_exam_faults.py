@@ -66,7 +66,11 @@ TABLES = [
     ("Anna\nJörg\n".encode("latin-1"), "class.csv:2:2: error: it is not a text in UTF-8 (byte 0xf6)"),
     ("Anna\nBen\n".encode("utf-16"), "class.csv:1:1: error: it is not a text in UTF-8 (byte 0xff)"),
     (b'name\n"Anna\nBen\n', "class.csv:2:1: error: it cannot be read as CSV: unexpected end of data"),
-    (b"A\0nna\nBen\n", "class.csv:1:1: error: the name of a student has characters that cannot be printed"),
+    (b"A\0nna\nBen\n", "class.csv:1:1: error: the name 'A�nna' has a character that cannot be seen, U+0000"),
+    (
+        "Anna\n\u200bBen\n".encode(),
+        "class.csv:2:1: error: the name '�Ben' has a character that cannot be seen, U+200B ZERO WIDTH",
+    ),
     (b"x" * 300 + b"\n", "class.csv:1:1: error: the name of a student is longer than 200 characters"),
 ]
 

@@ -14,7 +14,7 @@ exam: Test
 questions:
   - {marks: 10, problem: {system: {matrix: [[1, 2], [3, 4]]}, find: {a: eigenstructure}}}
 """
-STUDENTS = ("Anna", "anna", "Ben Ito", "José", "Jose\u0301 B", "ŁUCJA")
+STUDENTS = ("Anna", "anna", "Ben Ito", "José", "Jose\u0301 B", "ŁUCJA", "علی\u200cرضا")
 
 
 @pytest.fixture(scope="module")
@@ -39,6 +39,7 @@ def whose(exam, head):
         ("JOSÉ", "José"),
         ("José B", "Jose\u0301 B"),
         ("łucja", "ŁUCJA"),
+        ("علیرضا", "علی\u200cرضا"),
     ],
 )
 def test_an_exact_name_wins_and_capitals_do_not_count_where_one_is_left(exam, said, student):

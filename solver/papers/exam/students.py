@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from unicodedata import name as character
 from unicodedata import normalize
 
 from solver.problem.source import Diagnostic, Fault, InputError, Report, Source
@@ -12,6 +13,9 @@ HEADINGS = ("student", "students", "name", "names", "id", "student id", "student
 """What a first cell says that is the heading of its column, in any capitals."""
 
 DELIMITERS = ",;\t"
+JOINERS = "\N{ZERO WIDTH NON-JOINER}\N{ZERO WIDTH JOINER}"
+"""They are seen in how letters beside them are written, in Persian and in Indian scripts."""
+
 LONGEST = 200
 MOST = 10_000
 
@@ -44,9 +48,13 @@ def read_students(source: Source) -> tuple[str, ...]:
 
 def _add(name: str, line: int, found: dict[str, int]) -> None:
     """Add a student; raises Fault."""
-    if len(name) > LONGEST or not name.isprintable():
-        why = f"is longer than {LONGEST} characters" if len(name) > LONGEST else "has characters that cannot be printed"
-        raise Fault(Diagnostic(f"the name of a student {why}", line, 1))
+    if len(name) > LONGEST:
+        raise Fault(Diagnostic(f"the name of a student is longer than {LONGEST} characters", line, 1))
+    if unseen := next((each for each in name if not each.isprintable() and each not in JOINERS), ""):
+        said = f"U+{ord(unseen):04X} {character(unseen, '')}".strip()
+        shown = "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in name)[:60]
+        message = f"the name '{shown}' has a character that cannot be seen, {said}"
+        raise Fault(Diagnostic(message, line, 1, note="take it out; it may have come with a copy from elsewhere"))
     if name in found:
         message = f"'{name[:60]}' stands in line {found[name]} already"
         raise Fault(

@@ -12,6 +12,7 @@ from unicodedata import combining, normalize
 
 from solver.classroom.reading.answer_file import is_blank, student_in
 from solver.papers.exam.model import Exam
+from solver.papers.exam.students import JOINERS
 from solver.problem.nodes import MappingNode, Node, whole_number
 from solver.problem.source import Diagnostic, Fault, did_you_mean
 
@@ -107,8 +108,9 @@ def _exact(name: str) -> str:
 
 
 def _plain(name: str) -> str:
-    """Return a name as it is compared: without capitals, and in one way of writing its letters."""
-    return normalize("NFKC", " ".join(normalize("NFKC", name).casefold().split()))
+    """Return a name as it is compared: without capitals and joiners, and in one way of writing its letters."""
+    seen = "".join(each for each in normalize("NFKC", name) if each not in JOINERS)
+    return normalize("NFKC", " ".join(seen.casefold().split()))
 
 
 def _bare(name: str) -> str:
