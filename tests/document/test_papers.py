@@ -25,6 +25,8 @@ TELLING = 18
 """Characters of LaTeX from which on a value is hardly there by chance."""
 LEANS = re.compile(r"\A(its|their|the same)\b|\b(there|they)\b|[,:;]\Z|\b(or|and)\Z")
 """Words that mean something told before, and ends of what was cut off: answers are asked for alone, too."""
+FORMULA = re.compile(r"[^\u0000-\u024f–—…−]|[\^_=|<>]")
+"""Signs that stand in formulas: fonts of text in a PDF do not have them all."""
 PRINTED = {"ch2-ex03", "ch5-ex07"}
 """Problems that print a decomposition of the course and ask for one, which may come out as the same."""
 
@@ -182,4 +184,5 @@ def test_what_each_answer_is_can_be_asked_for_alone(name):
     for answer in CATALOGUE[name].answers.values():
         asked = answer.doc.split(" (")[0]  # as the macro `asked` has it
         assert not LEANS.search(asked), asked
+        assert not FORMULA.search(re.sub(r"\$[^$]*\$|`[^`]*`", "", asked)), asked
         assert (asked.count("("), asked.count("$") % 2) == (asked.count(")"), 0), asked

@@ -38,7 +38,7 @@ amplitude_scaling: Task[Equations, ScalingOptions] = Task(
         AnswerName("scale_factors", "L", "volts per unit of each variable, by its name", principal=True,
                    earned=("factors",)),
         AnswerName("scaled_equations", r"\text{scaled equations}",
-                   "the derivatives of the voltages by the machine time: X1_dot, X2_dot, … in the order of the states",
+                   "the derivatives of the voltages by the machine time: `X1_dot`, `X2_dot`, … in the order of states",
                    principal=True, earned=("row",)),
     ],
 )  # fmt: skip

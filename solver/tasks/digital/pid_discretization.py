@@ -58,7 +58,7 @@ pid_discretization: Task[Any, PidDiscretizationOptions] = Task(
         AnswerName(
             "coefficients",
             "q_i",
-            "the coefficients of e(k), e(k − 1), e(k − 2) in u(k) = u(k − 1) + q₀ e(k) + q₁ e(k − 1) + q₂ e(k − 2)",
+            r"the coefficients in $u(k) = u(k - 1) + q_0 e(k) + q_1 e(k - 1) + q_2 e(k - 2)$",
             ordered=True,
             numbered=True,
             earned=EARNED,

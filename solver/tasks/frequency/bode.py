@@ -26,10 +26,11 @@ bode: Task[OpenLoop, LoopOptions] = Task(
     options=LoopOptions,
     example={"transfer_function": "100(s + 1)/(s(s + 10)^2)"},
     answers=[
-        AnswerName("bode_gain", r"K_{B}", "the gain K of Bode's form K s^N ∏(1 + s/ω_i)…", unit="ratio",
+        AnswerName("bode_gain", r"K_{B}", r"the gain $K$ of Bode's form $K s^N \prod(1 + s/\omega_i) \cdots$",
+                   unit="ratio",
                    earned=("form",)),
         AnswerName("corner_frequencies", r"\omega_{i}", "the corners, rising, a multiple one as often as it counts, a "
-                   "pair at its ω_n", ordered=True, unit="rad/s", earned=("corners",)),
+                   r"pair at its $\omega_n$", ordered=True, unit="rad/s", earned=("corners",)),
         AnswerName("slopes", r"\text{slopes}", "the slopes of the asymptotes before and after each corner, in dB a "
                    "decade", ordered=True, unit="dB/decade", earned=("corners",)),
     ],

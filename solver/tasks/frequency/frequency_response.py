@@ -76,7 +76,8 @@ frequency_response: Task[OpenLoop, ResponseOptions] = Task(
                    earned=("resonance",)),
         AnswerName("resonant_phase", r"\varphi_{r}", "the phase at resonance, in degrees", optional=True, free=True,
                    unit="°", earned=("resonance",)),
-        AnswerName("bandwidth", r"\omega_{b}", "where the magnitude has fallen to 1/√2 of that at 0", optional=True,
+        AnswerName("bandwidth", r"\omega_{b}", r"where the magnitude has fallen to $1/\sqrt{2}$ of that at 0",
+                   optional=True,
                    unit="rad/s", earned=("bandwidth",)),
     ],
 )  # fmt: skip

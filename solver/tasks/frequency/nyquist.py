@@ -35,7 +35,7 @@ nyquist: Task[OpenLoop, LoopOptions] = Task(
     answers=[
         AnswerName("encirclements", "N", "the turns about −1, clockwise positive", count=True, optional=True,
                    principal=has_numbers, earned=("turns",)),
-        AnswerName("open_loop_unstable_poles", "P", "the poles of L in the right half plane (discrete: outside the "
+        AnswerName("open_loop_unstable_poles", "P", "the poles of $L$ in the right half plane (discrete: outside the "
                    "unit circle)", count=True, principal=True, earned=("path", "poles")),
         AnswerName("closed_loop_unstable_poles", "Z", "the poles of the closed loop in the right half plane (discrete: "
                    "outside the unit circle)", count=True, optional=True, principal=has_numbers, earned=("count",)),
@@ -43,8 +43,9 @@ nyquist: Task[OpenLoop, LoopOptions] = Task(
                    principal=has_numbers, earned=("count",)),
         AnswerName("condition", r"\text{condition}", "where the closed loop is stable, with parameters", optional=True,
                    principal=has_parameters, earned=("turns", "count")),
-        AnswerName("real_axis_crossings", r"L(j\omega_{i})", "the values of L where it is real, 0 < ω < ∞ (discrete: "
-                   "to π/T); with a dead time the first ones, all others are smaller", principal=True,
+        AnswerName("real_axis_crossings", r"L(j\omega_{i})",
+                   r"the values of $L$ where it is real, $0 < \omega < \infty$ (discrete: to $\pi/T$); "
+                   "with a dead time the first ones, all others are smaller", principal=True,
                    earned=("real_axis",)),
     ],
 )  # fmt: skip

@@ -79,7 +79,7 @@ decoupling: Task[WithBoth, DecouplingOptions] = Task(
         AnswerName(
             "relative_degrees",
             "r_i",
-            "the relative degrees: which derivative of each output an input acts on first (∞: on none)",
+            r"the relative degrees: which derivative of each output an input acts on first ($\infty$: on none)",
             ordered=True, numbered=True,
             principal=True,
             earned=("differentiated",),

@@ -47,11 +47,12 @@ root_locus: Task[CharacteristicEquation, RootLocusOptions] = Task(
         AnswerName("asymptote_angles", r"\vartheta_{k}", "the directions of the asymptotes, in degrees", numbered=True,
                    free=True, unit="°", earned=("asymptotes",)),
         AnswerName("centroid", r"\sigma_{a}", "where the asymptotes start", optional=True, earned=("asymptotes",)),
-        AnswerName("breakaway_points", r"s_{b}", "the points where branches meet, K ≥ 0", earned=("turning", "gains")),
+        AnswerName("breakaway_points", r"s_{b}", r"the points where branches meet, $K \ge 0$",
+                   earned=("turning", "gains")),
         AnswerName("breakaway_gains", r"K_{b}", "the gains at the points where branches meet, in their order",
                    earned=("gains",)),
         AnswerName("imaginary_axis_crossings", r"s_{c}", "where branches cross the imaginary axis, discrete: the unit "
-                   "circle, K > 0", free=True, earned=("parts", "crossings")),
+                   "circle, $K > 0$", free=True, earned=("parts", "crossings")),
         AnswerName("critical_gains", r"K_{c}", "the gains at which branches cross the limit of stability, once for "
                    "each pair", earned=("crossings",)),
         AnswerName("departure_angles", r"\varphi_{p}",

@@ -44,16 +44,20 @@ finite_horizon_lqr: Task[WithInput, HorizonOptions] = Task(
         AnswerName(
             "P",
             "P",
-            "the solution of the Riccati equation, in t (discrete: P₀, …, P_N)",
+            r"the solution of the Riccati equation, in $t$ (discrete: $P_0, \ldots, P_N$)",
             ordered=True,
             principal=True,
             earned=("equations", "integrated", "quotient", "step"),
         ),
-        AnswerName("K", r"\sym{K}", "the gain, in t (discrete: K₀, …, K_{N−1})", ordered=True, principal=True),
-        AnswerName("x", "x", "the optimal motion from x(0) (discrete: x₀, …, x_N)", optional=True, ordered=True),
-        AnswerName("u", "u", "the optimal control (discrete: u₀, …, u_{N−1})", optional=True, ordered=True),
+        AnswerName(
+            "K", r"\sym{K}", r"the gain, in $t$ (discrete: $K_0, \ldots, K_{N-1}$)", ordered=True, principal=True
+        ),
+        AnswerName(
+            "x", "x", r"the optimal motion from $x(0)$ (discrete: $x_0, \ldots, x_N$)", optional=True, ordered=True
+        ),
+        AnswerName("u", "u", r"the optimal control (discrete: $u_0, \ldots, u_{N-1}$)", optional=True, ordered=True),
         AnswerName("cost", r"J^{*}", "the least cost from x(0)", optional=True),
-        AnswerName("P_infinite", r"P_{\infty}", "the limit of P(0) as the horizon grows", optional=True),
+        AnswerName("P_infinite", r"P_{\infty}", "the limit of $P(0)$ as the horizon grows", optional=True),
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1", "final_time": "1"},
 )

@@ -49,7 +49,7 @@ minimum_energy_control: Task[WithInput, EnergyOptions] = Task(
         AnswerName(
             "costates",
             r"\lambda",
-            "the costates λ₁, …, λₙ, in t",
+            r"the costates $\lambda_1, \ldots, \lambda_n$, in $t$",
             methods=("variations",),
             ordered=True,
             free=_open_costates,
@@ -62,7 +62,7 @@ minimum_energy_control: Task[WithInput, EnergyOptions] = Task(
             zero=True,
             told=("costate_equations", "stationary"),
         ),
-        AnswerName("gramian", "W", "∫₀ᵀ e^{At} B R⁻¹ Bᵀ e^{Aᵀt} dt", methods=("gramian",)),
+        AnswerName("gramian", "W", r"$\int_0^T e^{At} B R^{-1} B^{T} e^{A^{T} t}\,dt$", methods=("gramian",)),
     ],
     example={"final_time": "1", "initial_state": "[1, 0]"},
 )
