@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from fractions import Fraction
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -135,6 +136,15 @@ def test_what_is_explained_is_not_suspicious(exam):
     told = statistics_of(exam, files, {})
     assert (told.equal, told.pairs) == ((), ())
     assert [each.students for each in told.mistakes] == [("Anna", "Ben")]
+
+
+def test_what_is_explained_is_not_said_to_come_from_another_variant(exam):
+    def asked(value):
+        return [SimpleNamespace(parts=[SimpleNamespace(id="a", answers={"eigenvalues": value})])] * 2
+
+    files = [answered("Anna", q1=5, with1={"mistake": "sign"}, q2=7), answered("Ben", q1=5, q2=7)]
+    told = statistics_of(exam, files, {1: asked(4), 2: asked(5)})
+    assert [(each.answer, each.words, each.students) for each in told.foreign] == [("1.a.eigenvalues", "2", ("Ben",))]
 
 
 def test_pairs_share_two_values_or_more(exam):

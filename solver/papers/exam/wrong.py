@@ -154,7 +154,7 @@ def pairs_of(wrong: Sequence[Wrong]) -> tuple[Pair, ...]:
 
 
 def of_another_variant(exam: Exam, wrong: Iterable[Wrong], solutions: Solutions) -> tuple[Common, ...]:
-    """Return wrong values that are those of another variant."""
+    """Return wrong values that are those of another variant, and nothing explains."""
     right: dict[tuple[str, str], dict[str, int]] = {}
     for variant, of_questions in solutions.items():
         for question, solution in zip(exam.questions, of_questions, strict=True):
@@ -162,7 +162,8 @@ def of_another_variant(exam: Exam, wrong: Iterable[Wrong], solutions: Solutions)
                 for name, value in part.answers.items():
                     key = f"{question.number}.{part.id}", name
                     right.setdefault(key, {}).setdefault(_text(value), variant)
-    found = ((each, right.get((each.part.id, each.answer.name), {}).get(each.text)) for each in wrong if each.text)
+    alone = [each for each in wrong if each.unexplained]
+    found = ((each, right.get((each.part.id, each.answer.name), {}).get(each.text)) for each in alone)
     return _common((each, str(other), str(other)) for each, other in found if other is not None)
 
 
