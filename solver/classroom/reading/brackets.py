@@ -9,12 +9,15 @@ OPENING, CLOSING = "([{", ")]}"
 _BINARY = "+-*/^±=<>,;&|·×⋅−"
 _SIGNS = "+-−±"
 _NUMBER = re.compile(r"[+−-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:/\d+)?")
-_GOES_ON = re.compile(r"(?:(?:±\s*|\S\s+[+−-]\s+)[ijI]|\bwith|multiplicity|vielfachheit|algebraic)$", re.IGNORECASE)
+_GOES_ON = re.compile(
+    r"(?:(?:±\s*|\S\s+[+−-]\s+)[ijI]|\bwith|multiplicity|vielfachheit|algebraic|(?<![a-z])(?:sin|cos|tan|exp|ln|log|sqrt|sinh|cosh))$",
+    re.IGNORECASE,
+)
 _REMARK = re.compile(
     r"\(?(?:double|twice|triple|doppelt|dreifach|once|simple|einfach|with\b|alg|mult|vielf)|\(\d+\s*(?:x|×|times|fold)",
     re.IGNORECASE,
 )
-"""What ends without an entry of its own, as j in -1 ± j 2, and what belongs to the entry before: 3 (double)."""
+"""What ends without an entry of its own, j in -1 ± j 2, cos in cos 2t, and what belongs to the one before, (double)."""
 _ROW = re.compile(r"[;\n]")
 _BETWEEN_ROWS = re.compile(r"\s*,\s*|(?<=\])\s*(?=\[)")
 _CONTINUED = re.compile(r"\.\.\.[ \t]*\n?|(?<=,)[ \t]*\n")

@@ -21,11 +21,11 @@ _INDEX = r"_?\{?[\d]*(?:\s*[,/]\s*\d)?\}?"
 _SEPARATOR = re.compile(
     r"\s*(?P<told>:(?!=)|→|->|⇒|=>|⟹|↦|\|->)\s*|\s*[,;\n]\s*|\s+(?:and|und)\s+"
     r"|\s+(?P<says>gives|yields|is|has|liefert|ergibt|ist|hat)\s+(?:the\s+|den\s+)?"
-    r"|(?<=[\s)\]}'ᵀT])(?:for|für|zu|zum|bei|to|with|mit|belongs to|gehört zu)\s+"
+    r"|(?<=[\s)\]}'ᵀT])(?P<of>for|für|zu|zum|bei|belongs to|gehört zu)\s+|(?<=[\s)\]}'ᵀT])(?:to|with|mit)\s+"
 )
 _WORDS = re.compile(
     r"^(?:(?:for|für|zu|zum|bei|to|with|mit|the|der|die|den|an|ein|eigen-?vectors?|eigen-?vektor(?:en)?|EV|vector|vektor"
-    r"|eigen-?space|eigenraum|basis)\b\.?\s*=?\s*)+",
+    r"|eigen-?space|eigenraum|basis|generali[sz]ed|verallgemeinert\w*|hauptvektor)\b\.?\s*=?\s*)+",
     re.IGNORECASE,
 )
 _EIGENVALUE = re.compile(
@@ -93,7 +93,7 @@ def _cuts(text: str) -> Iterator[tuple[int, int, bool]]:
         if text[at] in "([{":
             at = matching(text, at) + 1
         elif found := _SEPARATOR.match(text, at):
-            yield at, found.end(), bool(found["told"] or found["says"])
+            yield at, found.end(), any(found[each] for each in ("told", "says", "of"))
             at = max(found.end(), at + 1)
         else:
             at += 1

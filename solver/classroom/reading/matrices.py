@@ -106,7 +106,7 @@ class Unfolding:
             text = _VECTOR.sub(partial(_without_name, text), text)
             if _SPAN.match(text):
                 return self._spanned(node, _SPAN.sub("", text, count=1))
-        while enclosed(text, "()") and enclosed(text[1:-1].strip()):
+        while enclosed(text, "()") and self._is_single(text[1:-1].strip()):
             text = text[1:-1].strip()
         tuple_ = enclosed(text, "()") and self._is_tuple(text[1:-1])
         if enclosed(text, "{}") and (mapped := _mapped(node, text[1:-1])):
@@ -151,6 +151,10 @@ class Unfolding:
             return whole
         separated = self.grid and depth == 0 and self._separated(text)
         return self._bracketed(node, text, depth, braces=False) if separated else None
+
+    def _is_single(self, text: str) -> bool:
+        """Whether what stands in round brackets is one matrix: a list, or a product of such."""
+        return enclosed(text) or (self.grid and "[" in text and not self._is_tuple(text))
 
     def _is_tuple(self, text: str) -> bool:
         """Whether what stands in round brackets is a list: 1, 2; 1; 2; or numbers with spaces between."""

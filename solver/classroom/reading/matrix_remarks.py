@@ -26,6 +26,10 @@ _NAMED = re.compile(
 )
 _ENTRY = re.compile(r"\s*([^\W\d]\w*)\s*=\s*([^=]*\S)\s*")
 _PIECES = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
+_PRODUCT = re.compile(
+    r"\s*((?:A\s*(?:\^?\s*[({]?\d[)}]?|[²³⁴])?)?)\s*[*·]?\s*[Bb]\s*=\s*([(\[].*[)\]])(?:\^T|'|ᵀ)?\s*", re.DOTALL
+)
+_POWERS = str.maketrans("²³⁴", "234")
 _CONCLUDED = re.compile(r"^.*(?:→|->|⇒|=>|⟹)\s*(?=[^\W\d]\w*\s*=)", re.DOTALL)
 _WITH = re.compile(r"\s*,?\s*\b(?:with|where|mit|wobei)\b\s*|\s*:\s+")
 _GIVEN = re.compile(r"\s*([^\W\d]\w*(?:\s*\^\s*[({]?-1[)}]?)?)\s*=\s*(\[.*\])\s*", re.DOTALL)
@@ -41,6 +45,9 @@ _RATE = re.compile(r"^\s*(?:x_dot|ẋ|x['′]|dx/dt|x(?:_?\{?k\s*\+\s*1\}?|\(k\s
 _OF_STATES = re.compile(r"(?<=[\])])\s*[*·]?\s*x(?:\([tk]\)|_k)?\s*$")
 _OF_INPUTS = re.compile(r"(?<=[\])])\s*[*·]?\s*u(?:\([tk]\)|_k)?\s*$")
 _BLOCK = re.compile(r"(?<!\w)J_?([1-6])\s*\(([^(),;]*)\)")
+_ON_DIAGONAL = re.compile(
+    r"^\s*([^()\[\]]*?)\s*,?\s+(?:on|auf)\s+(?:the|der)\s+(?:main\s+)?(?:haupt)?diagonal(?:en|e)?\s*\.?$", re.IGNORECASE
+)
 _BETWEEN = re.compile(r"\s*[,;\n]\s*")
 
 
@@ -51,6 +58,16 @@ def without_remark(text: str) -> str:
     found = _REMARK.search(text)
     said = (found[1] or found[2] or "") if found else ""
     return text[: found.start()] if found and said.strip() and not _CHANGES.search(said) else ""
+
+
+def of_products(text: str) -> str:
+    """Return the columns of B = (0, 1), AB = (1, -3), beside each other; "" of any other text."""
+    found = [_PRODUCT.fullmatch(piece) for piece in split(text, _BETWEEN)]
+    powers = [each[1].translate(_POWERS) if each else "" for each in found]
+    wanted = ["", "A", *(f"A{k}" for k in range(2, len(found)))][: len(found)]
+    if len(found) < 2 or not all(found) or [re.sub(r"[\^{}()\s]", "", each) for each in powers] != wanted:
+        return ""
+    return f"np.column_stack(({', '.join(f'[{each[2][1:-1]}]' for each in found if each)}))"
 
 
 def with_entries(text: str) -> str:
@@ -121,6 +138,7 @@ def of_inputs(text: str) -> str:
 
 def with_blocks(text: str) -> str:
     """Return [3, 1; 0, 3] for the Jordan block J_2(3), and blocks with ⊕ between them on a diagonal."""
+    text = _ON_DIAGONAL.sub(r"diag(\1)", text)
     blocks = [each.strip() for each in _BLOCK.sub(_block, text).split("⊕")]
     return f"diag({', '.join(blocks)})" if len(blocks) > 1 else blocks[0]
 

@@ -12,7 +12,7 @@ _FACTOR = re.compile(
     r"(?:(?<=[=,;])|^|(?<=\band))\s*(?:[αβγμσtsrabcdk]|lambda|alpha|beta)_?[1-9₁-₉]?\s*[*·]?\s*(?=[(\[]|\\begin)"
 )
 _VECTOR_OF = re.compile(r"^\s*[xv]\s*=\s*(?=\S*\s*[(\[])")
-_TWO = re.compile(r"±|\\pm")
+_TWO = re.compile(r"±|∓|\\pm|\\mp")
 _BOTH = re.compile(r"^\s*v_?\{?1\s*[,/]\s*2\}?\s*=\s*")
 _IDENTITY = re.compile(r"(?<![\w.)\]])I(?:_?\d)?(?=\s*(?:[-+−]\s*\S|\)|$))")
 _OF_SIZE = re.compile(r"(?<![\w.)\]])(?:([IE𝟙𝕀])|(0))(?:_?\{?\(?|_)([1-9₁-₉])(?:\s*[x×,]\s*([1-9₁-₉]))?\)?\}?(?![\w.])")
@@ -30,7 +30,12 @@ def without_factors(text: str) -> str:
 def both_vectors(text: str) -> str:
     """Return both vectors of v_1,2 = [1; -1 ± 2j]; "" where there is no ±."""
     bare = _BOTH.sub("", text)
-    return f"{_TWO.sub('+', bare)}, {_TWO.sub('-', bare)}" if _TWO.search(text) else ""
+    return ", ".join(_signed(bare, upper=upper) for upper in (True, False)) if _TWO.search(text) else ""
+
+
+def _signed(text: str, *, upper: bool) -> str:
+    """A text with the upper or with the lower of its double signs."""
+    return _TWO.sub(lambda found: "+-"[(found[0] in ("∓", "\\mp")) == upper], text)
 
 
 def alike(text: str, ours: sp.MatrixBase) -> str:

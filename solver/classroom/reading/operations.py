@@ -47,12 +47,18 @@ Read = Callable[[str], Node]
 def transposition(text: str, read: Read) -> Node | None:
     """Return the matrix that is transposed, transpose([1 2]) or [1 2]'; None of any other text."""
     inside = inside_transposition(text)
-    if inside is None and (found := _TRANSPOSE.search(text)) and len(split(text, ",")) < 2:
-        inside = text[: found.start()]
-    if inside is not None and terms_of(with_square_brackets(inside))[0]:
-        return None  # the last term of a sum
+    found_behind = inside is None and len(split(text, ",")) < 2 and _TRANSPOSE.search(text)
+    if found_behind:
+        inside = text[: found_behind.start()]
+    if inside is not None and found_behind and _is_last(with_square_brackets(inside)):
+        return None  # the last term of a sum, or the last factor
     whole = read(inside) if inside is not None else None
     return transposed(whole) if isinstance(whole, SequenceNode) else None
+
+
+def _is_last(text: str) -> bool:
+    """Whether what stands behind a text belongs to the last of its terms or factors only."""
+    return bool(terms_of(text)[0] or _ENTRYWISE.fullmatch(text) or factors_of(text))
 
 
 def combined(node: Node, text: str, read: Read) -> Node | None:
@@ -141,6 +147,7 @@ def factors_of(text: str) -> tuple[str, str, str] | None:
     named = _NAMED.match(text)
     start = 0 if named else text.find("[")
     middle = matching(text, named.end() - 1 if named else start) if start >= 0 else len(text)
+    middle = turned.end() - 1 if (turned := _TURNED.match(text, middle + 1)) else middle
     following = text[middle + 1 :].lstrip().lstrip("*·×.@").lstrip()
     if not _are_matrices(following):
         return None
@@ -157,7 +164,8 @@ def _are_matrices(text: str) -> bool:
         found = _NAMED.match(text)
         if not found and not text.startswith("["):
             return False
-        rest = text[matching(text, found.end() - 1 if found else 0) + 1 :].strip()
+        rest = _TURNED.sub("", text[matching(text, found.end() - 1 if found else 0) + 1 :].strip(), count=1)
+        rest = rest.strip()
         if not rest or _DIVISOR.fullmatch(rest):
             return True
         text = rest.lstrip("*·×.@").lstrip()

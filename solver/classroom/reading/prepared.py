@@ -12,6 +12,7 @@ import sympy as sp
 from solver.classroom.reading import solution_sets, state_equations
 from solver.classroom.reading.brackets import rows, split
 from solver.classroom.reading.latex import plainly
+from solver.classroom.reading.matrix_remarks import of_products
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import labelled
 from solver.classroom.reading.quantities import told_otherwise, without_limit
@@ -94,21 +95,26 @@ def _in_order(node: MappingNode) -> str:
 
 def _matrix_told(text: str, name: str, ours: sp.MatrixBase) -> str:
     """A matrix told by equations or by other vectors, written out; "" of any other text."""
-    if name.endswith("_space") and is_zero_space(text):
-        return "{0}"
+    if name.endswith("_space"):
+        return "{0}" if is_zero_space(text) else _space_told(text, ours)
     if 0 in ours.shape:
         return ""
-    if name in state_equations.NAMES and "=" in text:
-        return state_equations.matrix_of(plainly(text), name, ours.shape)
-    if name.endswith("_space"):
-        bare = with_commas(without_space_words(plainly(text)))
-        told = ("=" in bare and solution_sets.solved(bare, ours.rows)) or of_unit_vectors(bare, ours.rows)
-        return told or (bare if bare != plainly(text) else "")
+    if name in state_equations.NAMES:
+        return state_equations.matrix_of(plainly(text), name, ours.shape) if "=" in text else ""
     if name.endswith("eigenvectors"):
         bare = with_commas(without_kinds(text))
         told = with_conjugates(bare) or of_unit_vectors(bare, ours.rows)
         return told or (bare if bare != text else "")
-    return ""
+    return of_products(text) if name == "controllability_matrix" else ""
+
+
+def _space_told(text: str, ours: sp.MatrixBase) -> str:
+    """A space by its vectors, told by equations, by unit vectors or in words; "" of any other text."""
+    if 0 in ours.shape:
+        return ""
+    bare = with_commas(without_space_words(plainly(text)))
+    told = ("=" in bare and solution_sets.solved(bare, ours.rows)) or of_unit_vectors(bare, ours.rows)
+    return told or (bare if bare != plainly(text) else "")
 
 
 def _named_entries(node: MappingNode) -> Node:

@@ -28,21 +28,23 @@ _IDLE_BEHIND = re.compile(
     r"|(?<=[\])])\.(?:tolist|evalf|n|round|simplify|doit|expand|astype|copy|factor|applyfunc)\([^()]*\))+$"
 )
 """The same behind a value."""
+_BRACES = re.compile(r"\b(diag|blkdiag)\s*\{([^{}]*)\}")
 _DIAGONAL = ("DiagonalMatrix", "Diagonal", "blkdiag", "block_diag", "blockdiag")
 _OTHER_NAME = re.compile(
     r"(?<![\w.])(?:\w+\.)*(IdentityMatrix|Identity|DiagonalMatrix|Diagonal|blkdiag|block_diag|blockdiag)\s*[\[(]"
 )
 _TRANSPOSED = re.compile(r"(?:\w+\.)*(?:[Tt]ranspose|ctranspose)\s*[(\[]")
+_TRANSPOSED_LIST = re.compile(r"(?:\w+\.)*(?:[Tt]ranspose|ctranspose)\s*\(\s*(\[[^()]*\])\s*\)")
 
 Grid = list[list[str]]
 
 
 def in_our_brackets(text: str) -> str:
     """Return a text with the matrices of Maple and of calculators in our brackets."""
-    text = _with_names(text.translate(_ANGLES))
+    text = _with_names(_BRACES.sub(r"\1(\2)", text.translate(_ANGLES)))
     if text.count("<") == text.count(">") > 0 and "=" not in text:
         text = _without_angles(text)
-    text = _without_makers(_of_word(text))
+    text = _without_makers(_of_word(_TRANSPOSED_LIST.sub(r"\1'", text)))
     if _BARRED.fullmatch(text):
         text = text.replace("|", ",").replace("&", ",")
     return _ADJACENT.sub(", ", text) if text.startswith("[[") and matching(text, 0) == len(text) - 1 else text

@@ -30,7 +30,8 @@ _REMARKS = (
     "breakaway break-away break-in entry exit point points different verschieden asymptotically asymptotisch"
     " stable unstable stabil instabil controller observer regler beobachter plant strecke repeated real reell row"
     " zeile column spalte nonzero non-zero complex conjugate conjugates conjugated pair konjugiert komplex"
-    " konjugierte komplexe positive positives root solution lösung wurzel pole poles pol mode eigenvalue eigenwert"
+    " konjugierte komplexe positive positives negative negatives root solution lösung wurzel"
+    " pole poles pol mode eigenvalue eigenwert"
     " constant konstant konstante underdamped overdamped undamped critically damped damping nonminimum non-minimum"
     " minimum phase first second third fourth state slow fast dominant oscillating oscillation oscillatory"
     " decaying distinct simple stabilizing stabilising stabilisierend stabilisierende integrator marginal exact"
@@ -40,7 +41,7 @@ _REMARKS = (
 """Words of which remarks in brackets are made that deny nothing."""
 _WORDS = "|".join(sorted(_REMARKS.split(), key=len, reverse=True))
 _REMARK = re.compile(
-    rf"\s*\(\s*(?:(?:(?:(?:{_WORDS}|all|and|the|of|in)[\s,]+){{0,6}}(?:{_WORDS}))|type? \d"
+    rf"\s*\(\s*(?:(?:(?:(?:{_WORDS}|all|both|beide|and|und|the|of|in)[\s,]+){{0,6}}(?:{_WORDS}))|type? \d"
     r"|[25] ?%(?:[ -](?:band|criterion|kriterium))?|not zero"
     r"|only at infinity)\s*\)",
     re.IGNORECASE,

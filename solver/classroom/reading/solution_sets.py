@@ -68,9 +68,10 @@ def _by_others(equations: list[tuple[Equation, Equation]]) -> dict[Name, Equatio
     for left, right in equations:
         if left == right:  # x2 = x2
             continue
-        if len(left) != 1 or next(iter(left.values())) != "((1))" or next(iter(left)) in known:
+        if len(left) != 1 or next(iter(left)) in known:
             return {}
-        known |= {next(iter(left)): right}
+        ((name, factor),) = left.items()
+        known[name] = {each: f"({value})/({factor})" for each, value in right.items()}
     return {} if any(set(right) & set(known) for right in known.values()) else known
 
 

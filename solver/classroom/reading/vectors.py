@@ -11,6 +11,7 @@ from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|(?<=[)\]}'ᵀT])\s+(?=[(\[sS])")
 _NAMED = re.compile(r"\\?[^\W\d][\w^{}()]*\s*(?::=|=|:)\s*")
+_FACTOR = re.compile(r"[-+−]?\s*(?:[\d./√]|sqrt\s*\(?\d+\)?)[\d./√\s]*(?:sqrt\s*\(?\d+\)?)?\s*[*·]?\s*(?=[(\[])")
 _SPAN = re.compile(r"(?:span|Span|lin|LH)\s*(?=[({\[])")
 _TURNED = re.compile(r"\s*(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\^%T|\.T|\^⊤)$")
 
@@ -42,9 +43,12 @@ def _vector(text: str) -> tuple[str, bool] | None:
         bare = bare[1:-1].strip() if bare.startswith("{") and enclosed(bare, "{}") else bare
     if turned := _TURNED.search(bare):
         bare, said = bare[: turned.start()].strip(), True
+    factor = found[0].strip() if (found := _FACTOR.match(bare)) else ""
+    bare = bare[found.end() :] if found else bare
     if bare[:1] not in ("(", "[", "{") or matching(bare, 0) != len(bare) - 1:
         return None
-    return bare, said or bare.startswith("(")
+    scaled = f"{factor.rstrip('*·')}*[{bare[1:-1]}]" if factor else bare
+    return scaled, said or bare.startswith("(")
 
 
 def beside(vectors: Sequence[Node], *, in_rows: bool) -> SequenceNode | None:

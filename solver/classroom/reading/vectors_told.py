@@ -24,7 +24,8 @@ _NAMED = re.compile(r"^\s*[^\W\d_]_?\d?\s*[=:]\s*")
 _SPAN = re.compile(r"^\s*(?:span|lin|LH)\s*(?=[({])", re.IGNORECASE)
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
 _KIND = re.compile(
-    r"\s*\(\s*(?:generali[sz]ed|gen\.|verallgemeinert\w*|hauptvektor|chain|kette)(?:\s+(?:eigenvector|eigenvektor))?\s*\)",
+    r"\s*\(\s*(?:generali[sz]ed|gen\.|verallgemeinert\w*|hauptvektor|chain|kette)(?:\s+(?:eigenvector|eigenvektor))?\s*\)"
+    r"|\s*[,;(]\s*[a-zα-ω]_?\d?\s*(?:≠|!=|\\neq?)\s*0\s*\)?\s*$",
     re.IGNORECASE,
 )
 _BARRED = re.compile(r"\([^()|,;]+(?:\|[^()|,;]+)+\)")
@@ -35,7 +36,7 @@ MOST_ENTRIES = 9
 
 
 def without_kinds(text: str) -> str:
-    """Return vectors without what is said of their kind: e2 (generalized)."""
+    """Return vectors without what is said of their kind, e2 (generalized), or of their factors, c ≠ 0."""
     return _KIND.sub("", text)
 
 

@@ -21,7 +21,8 @@ NO = {"f", "no", "false", "never", "n", "nein", "non", "falsch", "not", "✗"}
 ALL = ("reals", "all", "any", "every", "always", "all reals")
 NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector", "the zero vector", "zero vector",
         "nullvektor", "the trivial space", "trivial space", "keine", "empty set", "the empty set",
-        "leere menge", "∅", "no segments", "no segments on the real axis", "aucun", "aucune")  # fmt: skip
+        "leere menge", "∅", "no feedthrough", "no direct feedthrough", "kein durchgriff",
+        "no segments", "no segments on the real axis", "aucun", "aucune")  # fmt: skip
 _REASONED = re.compile(r"\w+\s*(?:[,;:.!(–—]|-(?!\w))")
 _DEFECTIVE = re.compile(r"(.*diag.+?)\s*[,;(]\s*(?:(?:not|nicht) )?(?:defective|defekt)\s*\)?\s*\.?", re.IGNORECASE)
 _REASON = re.compile(r"\s*[,;:(–—]|\s+(?:since|because|as|da|weil|denn)\s")
