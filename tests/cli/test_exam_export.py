@@ -103,3 +103,13 @@ def test_a_part_without_a_solution_is_left_out_and_the_others_go_on(solve, tmp_p
     assert "part a: " in done.err
     read = read_moodle((tmp_path / "build" / "exam-moodle.xml").read_bytes())
     assert [each.idnumber for each in read if each.idnumber.startswith("final-exam-2")] == ["final-exam-2-b"]
+
+
+def test_identifiers_of_long_names_are_short_enough_and_each_ones_own(solve, tmp_path):
+    names = [f"{'Maria ' * 11}{each}" for each in ("Abad", "Zorn")]
+    (tmp_path / "class.csv").write_text("\n".join(["name", *names]), encoding="utf-8")
+    long = EXAM[: EXAM.index("  - {problem: step.yaml")] + "variants: {students: class.csv}\nseed: 20262026\n"
+    write_exam(tmp_path, long.replace("Final <exam>", "The final exam " * 8))
+    assert solve("exam", "exam.yaml", "-o", "build", "--export", "moodle", "--jobs", 1).code == 0
+    read = read_moodle((tmp_path / "build" / "exam-moodle.xml").read_bytes())
+    assert len({each.idnumber for each in read}) == len(read) == 2

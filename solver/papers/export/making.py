@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from unicodedata import normalize
 
 from solver.papers.exam.drawing import Drawn, Means
@@ -15,6 +16,12 @@ from solver.words import Phrase
 
 LONGEST = 40
 """Letters of the exam's title in an identifier."""
+
+WHOLE = 80
+"""Letters of an identifier, and some more where it is short of one of its own: Moodle keeps 100."""
+
+DIGEST = 10
+"""Letters at the end of one that is cut off; they stand for what is missing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +114,8 @@ class _Namer:
         words = [_slug(self.exam.title)[:LONGEST].strip("-"), str(question.number), _slug(part), half, *drawn]
         name = "-".join(filter(None, words))
         name = name if name[:1].isalpha() else f"exam-{name}"
+        if len(name) > WHOLE:
+            name = f"{name[: WHOLE - DIGEST - 1].rstrip('-')}-{sha256(name.encode()).hexdigest()[:DIGEST]}"
         chosen, number = name, 1
         while chosen in self.taken:
             number += 1

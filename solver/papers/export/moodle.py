@@ -42,7 +42,8 @@ def _question(item: Item) -> Element:
         fields = item.fields
         weights = weights_of(fields, item.marks)
         gaps = {field.key: gap(field, weight) for field, weight in zip(fields, weights, strict=True)}
-        told = item if sum(weights) == item.marks else replace(item, name=f"{item.name} ({_marks(item)})")
+        shown = "" if sum(weights) == item.marks else f" ({_marks(item)})"
+        told = replace(item, name=item.name[: LONGEST - len(shown)] + shown)
         return node("question", *_common(told, _question_html(item, gaps), graded=False), type="cloze")
     content = _common(item, _question_html(item, {alone.key: ""}))
     match alone:

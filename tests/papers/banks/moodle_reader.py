@@ -156,6 +156,7 @@ def read_question(question: ElementTree.Element, category: str) -> Read:
     grade = sum(gap.weight for gap in gaps) if kind == "cloze" else float(question.findtext("defaultgrade") or "nan")
     name = told(question, "name")
     assert 0 < len(name) <= 255
+    assert 0 < len(question.findtext("idnumber") or "") <= 100
     tags = [each.findtext("text") or "" for each in question.findall("tags/tag")]
     idnumber = question.findtext("idnumber") or ""
     texts = htmls["questiontext"], htmls["generalfeedback"]

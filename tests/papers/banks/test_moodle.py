@@ -163,6 +163,14 @@ def test_no_space_between_tags_is_lost():
             assert "a = 1\nb &amp; c" in html
 
 
+def test_the_marks_stand_behind_a_name_that_is_cut_off():
+    fields = Asked("x", "x", "", "", Fraction(1, 2), ((number("f"), number("g")),))
+    item = Item("q-1", "long " * 80, Content(), Content(), Fraction(1, 2), (fields,))
+    (found,) = read_moodle(moodle_xml(Quiz("Q", "", "en", (Group(("Q", "1"), (item,)),))))
+    assert found.name.endswith(" (0.5)")
+    assert len(found.name) == 255
+
+
 def test_hostile_names_stay_texts():
     item = Item("q-1", HOSTILE, Content((Text("x"),)), Content(), Fraction(1), (
         Asked("x", "x", HOSTILE.replace("$", ""), "", Fraction(1), ((number("f"),),)),), tags=(HOSTILE,))  # fmt: skip
