@@ -46,6 +46,6 @@ def test_a_float_is_not_taken_for_a_decimal_of_few_digits():
 def test_an_environment_that_holds_much_begins_anew():
     environment._kept.cache_clear()
     here = Environments().at(POINTS, DOUBLE)
-    value_of([s + i for i in range(environment.MOST_KEPT + 1)], here)
+    value_of([s + i for i in range(1, environment.MOST_KEPT + 2)], here)
     assert len(here.memo) > environment.MOST_KEPT
     assert not Environments().at(POINTS, DOUBLE).memo
