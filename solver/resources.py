@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 
+@cache
 def root(kind: str) -> Path:
     """Return the folder "templates" or "problems"; raises FileNotFoundError if the installation is broken."""
     package = Path(__file__).parent

@@ -135,9 +135,11 @@ def _displayed_last(worded: Sequence[WordedStep]) -> dict[str | None, Any]:
 
 def _taken_as_positive(steps: Iterable[Step], given: AbstractSet[Any]) -> frozenset[Any]:
     """The symbols that stand in the steps for those given, as positive ones (weights)."""
+    names = {symbol.name for symbol in given}
+    if not names:
+        return frozenset()
     claims = (claim for first in steps for step in first.walk() for claim in step.claims.values())
     met = _symbols(side for claim in claims for side in (claim.left, claim.right))
-    names = {symbol.name for symbol in given}
     return frozenset(symbol for symbol in met if symbol.is_positive and symbol.name in names)
 
 

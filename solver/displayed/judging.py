@@ -173,10 +173,11 @@ class Judge:
         if is_left(left) or is_left(right):
             self.skip("a root or logarithm of a matrix within a formula")
             return
-        if {symbol.name for symbol in numeric.free_symbols(left) | numeric.free_symbols(right)} & self.matrices.keys():
+        symbols = numeric.free_symbols(left) | numeric.free_symbols(right)
+        if {symbol.name for symbol in symbols} & self.matrices.keys():
             self.skip("a formula in which a matrix stands as a symbol")
             return
-        if self.unknowns.among(left, right):
+        if self.unknowns.those_in(symbols):
             self.unknowns.equations.append((left, right, self.step, self.where))
         else:
             self.check(left, right)
@@ -188,7 +189,8 @@ class Judge:
         symbols = numeric.free_symbols(left) | numeric.free_symbols(right)
         if symbols and relation == "≈":
             self.skip("an approximation of a function")
-        if (symbols and relation != "≠") or self.unknowns.among(left, right) or (left, relation, right) in self.seen:
+        known = (left, relation, right) in self.seen
+        if known or (symbols and relation != "≠") or self.unknowns.those_in(symbols):
             return
         self.seen.add((left, relation, right))
         if self._affordable(left, right):

@@ -45,8 +45,11 @@ class Unknowns:
 
     def among(self, *formulas: Any) -> frozenset[Any]:
         """Return the symbols of formulas that stand for what is to be found."""
-        symbols = frozenset().union(*map(numeric.free_symbols, formulas))
-        return frozenset((symbols & self.sought) | (symbols - self.given - self.answered))
+        return self.those_in(frozenset().union(*map(numeric.free_symbols, formulas)))
+
+    def those_in(self, symbols: frozenset[Any]) -> frozenset[Any]:
+        """Return those of some symbols that stand for what is to be found."""
+        return (symbols & self.sought) | (symbols - self.given - self.answered)
 
     def solved(self, names: Names) -> Iterator[tuple[Any, ...]]:
         """Yield the equations with what was found for the unknowns in their place, those of which all was found.

@@ -28,14 +28,13 @@ def read_entries(node: Node, name: str, read: Callable[[Node], sp.Expr], flat: s
     rows = _rows(node, name, flat)
     _check_rows(rows, node, name)
     report = Report()
-    entries: list[list[sp.Expr]] = []
+    entries: list[sp.Expr] = []
     for row in rows:
-        entries.append([])
         for item in row:
             with report:
-                entries[-1].append(read(item))
+                entries.append(read(item))
     report.conclude()
-    return sp.ImmutableMatrix(entries)
+    return sp.ImmutableMatrix(len(rows), len(rows[0]), entries)
 
 
 def _rows(node: Node, name: str, flat: str) -> list[Sequence[Node]]:
