@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import CheckStatus, Status
 from solver.formula.terminal import flat
+from solver.formula.terminal.boxes import cells
 from solver.render.displaying import word_of
 from solver.render.pointing import agreeing, noting, picturing, referring
 from solver.render.prose import inline_as_text, to_text
@@ -38,7 +39,7 @@ COLOURS: dict[Status | CheckStatus, str] = {
 
 def print_summary(document: Document, console: Console, *, verbose: bool = False) -> None:
     """Print each part's answers and how they were checked; the table of checks if verbose or if one failed."""
-    console.rule(_plain(document.title), align="left", style="dim")
+    _print_rule(_plain(document.title), console)
     for part in document.shown:
         console.print()
         _print_part(part, console, document.messages.say)
@@ -48,17 +49,41 @@ def print_summary(document: Document, console: Console, *, verbose: bool = False
 
 
 def _print_part(part: Work, console: Console, say: Say) -> None:
+    _print_line(console, (f"{part.id}  {heading(part, say)}", "bold"))
+    for answer in part.found:  # in lines that fit
+        _print_as_it_stands(console, ("\n".join(indented(answer_lines(answer, console.width))), ""))
+    status, verdict = say(part.status), verdict_of(part, say)
+    _print_line(console, (INDENT, ""), (status, COLOURS[part.status]), (verdict.removeprefix(status), ""))
+
+
+def _print_rule(title: str, console: Console) -> None:
+    """Print a title with a line behind it."""
     from rich.text import Text  # noqa: PLC0415 - rich is needed only to print, not to write text
 
-    head = Text(f"{part.id}  ", style="bold")
-    head.append(heading(part, say))
-    console.print(head)
-    for answer in part.found:  # in lines that fit, which rich need not look for
-        lines = "\n".join(indented(answer_lines(answer, console.width)))
-        console.print(Text(lines), no_wrap=True, overflow="ignore", crop=False)
-    verdict = Text(INDENT + verdict_of(part, say))
-    verdict.stylize(COLOURS[part.status], len(INDENT), len(INDENT) + len(say(part.status)))
-    console.print(verdict)
+    room = console.width - cells(title) - 1
+    if title and room > 0:
+        _print_as_it_stands(console, (f"{title} ", ""), ("─" * room, "dim"))
+    else:
+        console.rule(Text(title), align="left", style="dim")
+
+
+def _print_line(console: Console, *pieces: tuple[str, str]) -> None:
+    """Print pieces of text, each in its style, on a line, or on several where it is too long for that."""
+    from rich.text import Text  # noqa: PLC0415 - as above
+
+    text = "".join(words for words, _ in pieces)
+    if text.isprintable() and cells(text) <= console.width:
+        _print_as_it_stands(console, *pieces)
+    else:
+        console.print(Text.assemble(*pieces))
+
+
+def _print_as_it_stands(console: Console, *pieces: tuple[str, str]) -> None:
+    """Print pieces of text that rich need not lay out, each in its style, and end the line."""
+    from rich.segment import Segment, Segments  # noqa: PLC0415 - as above
+
+    shown = [Segment(words, console.get_style(style) if style else None) for words, style in pieces]
+    console.print(Segments([*shown, Segment.line()]), crop=False)
 
 
 def _table(rows: Iterable[CheckRow], say: Say) -> Table:

@@ -51,6 +51,15 @@ def test_the_summary_has_every_part_with_answers_and_verdict(view):
     assert "scipy.linalg.expm" in printed(view, verbose=True)
 
 
+@pytest.mark.parametrize("title", ["x ∈ [a, b]", "both [/bold]", "at :smile: last", "[/b] " * 40])
+def test_a_title_is_told_as_it_is_written(view, title):
+    """Brackets and colons mean nothing; one that is too long for the line is cut."""
+    head, *_ = printed(replace(view, title=title)).splitlines()
+    told, dots, _ = head.partition("…")
+    assert told.rstrip("─ ") == title if len(title) < 100 else dots and title.startswith(told)
+    assert cells(head) == 100
+
+
 def test_a_text_cannot_act_on_the_terminal(view):
     evil = "\x1b[31mred\x07\u202e"
     odd = replace(view, title=evil, source=evil, statement=f"{evil} ${evil}$\n\n`{evil}`")
