@@ -23,9 +23,9 @@ class Format:
 
 
 def _html(document: Document) -> bytes:
-    from solver.render.page import render_page  # noqa: PLC0415 - each format imports its own libraries
+    from solver.render.page import encoded_page  # noqa: PLC0415 - each format imports its own libraries
 
-    return render_page(document).encode()
+    return encoded_page(document)
 
 
 def _latex(document: Document) -> bytes:

@@ -87,34 +87,47 @@ class Space(Node):
         return visitor.space(self)
 
 
-@dataclass(frozen=True, slots=True)
-class Row(Node):
-    """What stands side by side. A row within a row is a group in braces.
+@dataclass(slots=True, eq=False)
+class Shared(Node):
+    """A node that formulas share: it keeps what those visitors have `made` of it who ask for that.
 
-    The formulas of a page share rows: each keeps what those visitors have `made` of it who ask for that.
+    Nobody changes it, nor is it frozen: to make it so would take twice as long, and a page is made of many hundreds.
     """
 
-    items: tuple[Node, ...] = ()
     made: dict[Any, Any] = field(default_factory=dict, init=False, compare=False, repr=False)
 
     def accept(self, visitor: Visitor[T]) -> T:
         if not visitor.keeps:
-            return visitor.row(self)
+            return self.visited(visitor)
         found: T | None = self.made.get(visitor)
         if found is None:
-            found = self.made[visitor] = visitor.row(self)
+            found = self.made[visitor] = self.visited(visitor)
         return found
 
+    def visited(self, visitor: Visitor[T]) -> T:
+        """Return what the visitor makes of this node now."""
+        raise NotImplementedError
 
-@dataclass(frozen=True, slots=True)
-class Fraction(Node):
+
+@dataclass(slots=True, unsafe_hash=True)
+class Row(Shared):
+    """What stands side by side. A row within a row is a group in braces."""
+
+    items: tuple[Node, ...] = ()
+
+    def visited(self, visitor: Visitor[T]) -> T:
+        return visitor.row(self)
+
+
+@dataclass(slots=True, unsafe_hash=True)
+class Fraction(Shared):
     r"""One above another: `\frac`, `\dfrac`, `\tfrac` with a bar, `\binom` in parentheses."""
 
     above: Node
     below: Node
     command: str = r"\frac"
 
-    def accept(self, visitor: Visitor[T]) -> T:
+    def visited(self, visitor: Visitor[T]) -> T:
         return visitor.fraction(self)
 
 
@@ -129,8 +142,8 @@ class Root(Node):
         return visitor.root(self)
 
 
-@dataclass(frozen=True, slots=True)
-class Scripts(Node):
+@dataclass(slots=True, unsafe_hash=True)
+class Scripts(Shared):
     """A base with an index below, an exponent above, or primes (then without an exponent)."""
 
     base: Node
@@ -138,7 +151,7 @@ class Scripts(Node):
     above: Node | None = None
     primes: int = 0
 
-    def accept(self, visitor: Visitor[T]) -> T:
+    def visited(self, visitor: Visitor[T]) -> T:
         return visitor.scripts(self)
 
 
@@ -155,8 +168,8 @@ class Fenced(Node):
         return visitor.fenced(self)
 
 
-@dataclass(frozen=True, slots=True)
-class Table(Node):
+@dataclass(slots=True, unsafe_hash=True)
+class Table(Shared):
     r"""Rows of cells: a matrix, `cases`, `aligned`, or an `array` with its `columns` ("cc|c").
 
     A line stands above each of the rows `rules`, counted from 0.
@@ -167,7 +180,7 @@ class Table(Node):
     columns: str = ""
     rules: tuple[int, ...] = ()
 
-    def accept(self, visitor: Visitor[T]) -> T:
+    def visited(self, visitor: Visitor[T]) -> T:
         return visitor.table(self)
 
 
@@ -208,7 +221,7 @@ class Styled(Node):
 class Visitor(ABC, Generic[T]):
     """Makes something of a tree; one method for each kind of node, so that none can be forgotten.
 
-    Where it `keeps`, a row remembers what it made: it is one of few, and always makes the same.
+    Where it `keeps`, nodes that are shared remember what it made: it is one of few, and always makes the same.
     """
 
     keeps: ClassVar[bool] = False

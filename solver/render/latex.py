@@ -232,6 +232,7 @@ class Printer(ObjectPrinter):
 ONE, J = row("1"), row("j")
 
 
+@lru_cache(maxsize=1024)  # with what was made of it: pages repeat small numbers
 def _integer(number: int) -> Row:
     digits = Number(str(abs(number)))
     return Row((MINUS, digits)) if number < 0 else Row((digits,))

@@ -40,6 +40,9 @@ SIZE, SHRUNK = re.compile(r'<svg[^>]* width="([\d.]+)pt"'), 480
 FORMULA = 'aria-label="Formula"'
 """What a screen reader says of a formula in its box, before the page is put into its language."""
 
+STYLE = Markup("<!-- style -->")
+"""Stands for the style while a page is made, since it is four fifths of it; no text of a user has a tag in it."""
+
 PAPER = 40.0, 52.0
 """Widths in em beyond which a formula is printed smaller, and smaller still: paper does not scroll."""
 
@@ -53,20 +56,36 @@ def render_page(document: Document) -> str:
     return rendered("page.html.jinja", document.presentation.templates, document.messages, document=document)
 
 
+def encoded_page(document: Document) -> bytes:
+    """Return the page of a solution in UTF-8; the style, as it is the same for all, need not be encoded anew."""
+    templates = document.presentation.templates
+    pieces = _pieces("page.html.jinja", templates, document.messages, document=document)
+    return _encoded_style(templates).join(piece.encode() for piece in pieces)
+
+
 def rendered(template: str, templates: Path | None = None, messages: Messages | None = None, **values: Any) -> str:
     """Return a page made by one of the templates in `html/`, with the style, the font and the policy of all pages."""
-    words = messages or Messages()
-    fixed = {"version": __version__, "policy": POLICY, "style": _style(templates), "language": words.language}
+    return _style(templates).join(_pieces(template, templates, messages or Messages(), **values))
+
+
+def _pieces(template: str, templates: Path | None, words: Messages, **values: Any) -> list[str]:
+    """Return what stands before the style of a page, and behind it."""
+    fixed = {"version": __version__, "policy": POLICY, "style": STYLE, "language": words.language}
     page = _environment(templates).get_template(template)
     html = page.render(**values, **fixed, say=words.say, phrase=lambda text, **of: words.say(Phrase(text, **of)))
-    return html.replace(FORMULA, f'aria-label="{words.say("Formula")}"')
+    return html.replace(FORMULA, f'aria-label="{words.say("Formula")}"').split(STYLE)
 
 
 @lru_cache
-def _style(templates: Path | None) -> Markup:
-    """Return the style of all pages, with the font in it."""
+def _style(templates: Path | None) -> str:
+    """Return the style of all pages, with the font in it; nothing in it can end the element."""
     style = _environment(templates).get_template("style.css").render(font=_font())
-    return Markup(style.replace("</", "<\\/"))  # noqa: S704 - our own file; nothing in it can end the element
+    return style.replace("</", "<\\/")
+
+
+@lru_cache
+def _encoded_style(templates: Path | None) -> bytes:
+    return _style(templates).encode()
 
 
 def drawn(latex: str, display: bool) -> str:

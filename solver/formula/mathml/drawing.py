@@ -8,12 +8,20 @@ space, an ordinary symbol is no operator, and signs in scripts are tight.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from html import escape
 from itertools import zip_longest
 
-from solver.formula.mathml.characters import SHAPES, character, shaped
-from solver.formula.mathml.leaves import TIGHT, UPRIGHT_LETTERS, Drawing, operator_drawing, symbol_drawing
-from solver.formula.mathml.rows import LIMIT_NAMES, bars, is_relation_between_words, thin_space_between
+from solver.formula.mathml.characters import character
+from solver.formula.mathml.leaves import (
+    TIGHT,
+    UPRIGHT_LETTERS,
+    Drawing,
+    number_drawing,
+    operator_drawing,
+    symbol_drawing,
+)
+from solver.formula.mathml.rows import LIMIT_NAMES, bars, has_function, is_relation_between_words, thin_space_between
 from solver.formula.mathml.tables import FENCES, styles
 from solver.formula.nodes import (
     Accent,
@@ -61,13 +69,14 @@ THIN = '<mspace width="0.167em"></mspace>'
 class Drawer(Visitor[Drawing]):
     """Draws a tree; in scripts signs have no space around them, and letters may have a shape."""
 
+    keeps = True  # matrices, exponents and denominators are those of several formulas
+
     def __init__(self, script: bool = False, shape: str = "") -> None:
         self.tight = script
         self.shape = shape
 
     def number(self, node: Number) -> Drawing:
-        digits = "".join(shaped(digit, self.shape) for digit in node.digits) if self.shape in SHAPES else node.digits
-        return Drawing(f"<mn>{digits}</mn>", 0.5 * len(digits))
+        return number_drawing(node.digits, self.shape)
 
     def symbol(self, node: Symbol) -> Drawing:
         return symbol_drawing(node.name, self.shape)
@@ -102,26 +111,29 @@ class Drawer(Visitor[Drawing]):
         """Return what stands in a row, without an element around it; one that has `begun` goes on from before."""
         kinds = set(map(type, row.items))
         upright = Text in kinds and is_relation_between_words(row.items)
-        forms = bars(row.items) if Operator in kinds else {}
-        names = Function in kinds or Scripts in kinds
+        forms = self._forms(row.items, begun) if Operator in kinds else {}
+        names = Function in kinds or (Scripts in kinds and has_function(row.items))
         markup, width, end = "", 0.0, ""
         before: Node | None = None
         for place, item in enumerate(row.items):
             if names and thin_space_between(before, item):
                 markup, width = markup + THIN, width + 0.167
-            form = "prefix" if is_prefix(row.items, place, begun) else forms.get(place, "")
-            if isinstance(item, Space) and item.command in STYLES:
+            if type(item) is Space and item.command in STYLES:
                 markup += f'<mstyle displaystyle="{STYLES[item.command]}" scriptlevel="0">'
                 end += "</mstyle>"
                 continue
-            drawing = self._formed(item, form) if form else item.accept(self)
-            if upright and drawing.markup.startswith("<mtext>"):
-                drawing = Drawing(
-                    drawing.markup.replace("<mtext>", UPRIGHT_LETTERS).replace("mtext>", "mi>"), drawing.width
-                )
-            markup, width = markup + drawing.markup, width + drawing.width
+            drawn_as, wide = self._formed(item, forms[place]) if place in forms else item.accept(self)
+            if upright and drawn_as.startswith("<mtext>"):
+                drawn_as = drawn_as.replace("<mtext>", UPRIGHT_LETTERS).replace("mtext>", "mi>")
+            markup, width = markup + drawn_as, width + wide
             before = item
         return Drawing(markup + end, width)
+
+    @staticmethod
+    def _forms(items: Sequence[Node], begun: bool) -> dict[int, str]:
+        """Return the places of signs and bars whose form their neighbours decide, and the form."""
+        signs = [i for i, item in enumerate(items) if type(item) is Operator and is_prefix(items, i, begun)]
+        return bars(items) | dict.fromkeys(signs, "prefix")
 
     def _formed(self, item: Node, form: str) -> Drawing:
         """Draw a sign or a bar, perhaps with scripts, in a form that its neighbours decide."""
@@ -227,7 +239,7 @@ class Drawer(Visitor[Drawing]):
         word = "".join(signs)
         if node.command == r"\mathrm" and word.isalnum() and all(signs):  # a word, not a product
             return Drawing(f"{UPRIGHT_LETTERS}{word}</mi>", 0.5 * len(word))
-        return node.body.accept(Drawer(self.tight, node.command))
+        return node.body.accept(_drawer(self.tight, node.command))
 
 
 def _cells(table: Table, cells: list[Drawing], row_styles: Sequence[str]) -> Iterator[str]:
@@ -250,7 +262,13 @@ def _fenced(left: str, body: Drawing, right: str, tall: bool, bars: bool = False
     return Drawing(f"<mrow>{markup}</mrow>" if tall else markup, body.width + 0.4 * (bool(left) + bool(right)))
 
 
-_DRAWER, _IN_SCRIPT = Drawer(), Drawer(script=True)
+@lru_cache(maxsize=32)
+def _drawer(script: bool, shape: str) -> Drawer:
+    """Return one of the few drawers."""
+    return Drawer(script, shape)
+
+
+_DRAWER, _IN_SCRIPT = _drawer(False, ""), _drawer(True, "")
 
 
 def drawn(node: Node) -> Drawing:

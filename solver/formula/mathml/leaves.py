@@ -30,6 +30,14 @@ TIGHT = ' lspace="0em" rspace="0em"'
 
 
 @lru_cache(maxsize=1024)
+def number_drawing(digits: str, shape: str) -> Drawing:
+    r"""Draw a number, in the shape of a command such as `\mathbf` if there is one."""
+    if shape in SHAPES:
+        digits = "".join(shaped(digit, shape) for digit in digits)
+    return Drawing(f"<mn>{digits}</mn>", 0.5 * len(digits))
+
+
+@lru_cache(maxsize=1024)
 def symbol_drawing(name: str, shape: str) -> Drawing:
     r"""Draw a symbol, in the shape of a command such as `\mathbf` if there is one."""
     letter = character(name)

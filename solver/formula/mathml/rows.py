@@ -13,7 +13,12 @@ LIMIT_NAMES = frozenset({"lim", "max", "min", "sup", "inf", "det", "gcd", "Pr"})
 
 def base_of(node: Node) -> Node:
     """Return what scripts stand at, or the node itself."""
-    return node.base if isinstance(node, Scripts) else node
+    return node.base if type(node) is Scripts else node
+
+
+def has_function(items: Sequence[Node]) -> bool:
+    """Whether the name of a function is among the items, perhaps with scripts."""
+    return any(type(base_of(item)) is Function for item in items)
 
 
 def bars(items: Sequence[Node]) -> dict[int, str]:

@@ -18,7 +18,12 @@ BRACES = {"{": "⎧⎪⎨⎩", "}": "⎫⎪⎬⎭"}
 
 def cells(text: str) -> int:
     """Return the number of cells of a terminal that a text takes."""
-    return len(text) if text.isascii() else sum(map(_cells_of, text))
+    return len(text) if text.isascii() else _cells_of_all(text)
+
+
+@lru_cache(maxsize=1024)  # a column is asked for its width again and again
+def _cells_of_all(text: str) -> int:
+    return sum(map(_cells_of, text))
 
 
 @lru_cache(maxsize=1024)
@@ -72,16 +77,20 @@ def beside(boxes: Sequence[Box]) -> Box:
     """Put boxes side by side, baselines level."""
     if len(boxes) < 2:
         return boxes[0] if boxes else text_box("")
-    if all(len(box.lines) == 1 for box in boxes):  # most are letters and numbers in a row
+    if {len(box.lines) for box in boxes} == {1}:  # most are letters and numbers in a row
         return text_box("".join([box.lines[0] for box in boxes]))
-    above = max(box.baseline for box in boxes)
-    below = max(box.height - box.baseline for box in boxes)
+    above, below = _around_baseline(boxes)
     columns = []
     for box in boxes:
         blank = " " * box.width
         start = above - box.baseline
         columns.append([blank] * start + list(box.lines) + [blank] * (above + below - start - box.height))
     return Box(tuple("".join(row) for row in zip(*columns, strict=True)), above)
+
+
+def _around_baseline(boxes: Sequence[Box]) -> tuple[int, int]:
+    """Return how many lines boxes side by side have above the baseline, and from it on."""
+    return max(box.baseline for box in boxes), max(box.height - box.baseline for box in boxes)
 
 
 def fraction(numerator: Box, denominator: Box) -> Box:
@@ -149,8 +158,6 @@ def aligned(box: Box, width: int, align: str) -> Box:
 
 def _row(boxes: Sequence[Box], gaps: Sequence[str]) -> Box:
     """Put boxes side by side, each after its gap, which is as high as the highest of them."""
-    whole = beside(boxes)
-    parts = [
-        part for gap, box in zip(gaps, boxes, strict=True) for part in (Box((gap,) * whole.height, whole.baseline), box)
-    ]
-    return beside(parts)
+    above, below = _around_baseline(boxes)
+    between = [Box((gap,) * (above + below), above) for gap in gaps]
+    return beside([part for pair in zip(between, boxes, strict=True) for part in pair])

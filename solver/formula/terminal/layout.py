@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Sequence
-from dataclasses import dataclass
+from itertools import product
+from typing import NamedTuple
 
 from solver.formula.terminal.boxes import Box, beside, enclosed, fraction, grid, scripted, stacked, text_box
 from solver.formula.terminal.characters import SUBSCRIPTS, SUPERSCRIPTS
@@ -23,10 +24,12 @@ ONE_FACTOR = rf"√?{ONE_NAME}[\u2070-\u209c\u00b2\u00b3\u00b9\u1d2c-\u1d6a]*"
 """The same with exponents, perhaps below a root: what needs no parentheses after a slash."""
 
 FACTORS = {"ordinary", "word", "operator", "opening", "closing", "fraction"}
+BEFORE_SIGNS = {"", "binary", "sign", "relation", "opening", "comma", "operator", "label"}
+KINDS = (*FACTORS, "binary", "sign", "relation", "comma", "text", "label", "space")
+BLANK = text_box(" ")
 
 
-@dataclass(frozen=True, slots=True)
-class Atom:
+class Atom(NamedTuple):
     """A piece of a formula: its box and its kind, which decides the spaces around it."""
 
     box: Box
@@ -39,21 +42,22 @@ def spaced(atoms: Sequence[Atom]) -> list[Box]:
     before = visible = ""
     height = 0
     for index, atom in enumerate(atoms):
-        after = atoms[index + 1].kind if index + 1 < len(atoms) else ""
-        box, kind = atom.box, atom.kind
-        if kind == "binary" and visible in {"", "binary", "sign", "relation", "opening", "comma", "operator", "label"}:
+        box, kind = atom
+        if kind == "binary" and visible in BEFORE_SIGNS:
             kind = "sign"
-        if kind == "fraction" and box.height == 1 and (after in FACTORS or before in FACTORS):
-            box = enclosed(box, "(", ")")
-        tall = "fraction" in {before, kind} and max(height, box.height) > 1 and {before, kind} <= FACTORS
-        if tall or _apart(before, kind):
-            boxes.append(text_box(" "))
+        if kind == "fraction" and box.height == 1:
+            after = atoms[index + 1].kind if index + 1 < len(atoms) else ""
+            if after in FACTORS or before in FACTORS:
+                box = enclosed(box, "(", ")")
+        pair, tall = (before, kind), max(height, box.height) > 1
+        if pair in _APART or (tall and pair in _BESIDE_FRACTIONS):
+            boxes.append(BLANK)
         boxes.append(box)
         before, visible, height = kind, visible if kind == "space" else kind, box.height
     return boxes
 
 
-def _apart(before: str, kind: str) -> bool:
+def _is_apart(before: str, kind: str) -> bool:
     """Whether a space stands between two atoms."""
     if not before or "space" in (before, kind) or before == "sign":
         return False
@@ -64,6 +68,10 @@ def _apart(before: str, kind: str) -> bool:
     if before in {"operator", "word"}:
         return kind in {"ordinary", "word", "fraction"}
     return kind == "word" and before in {"ordinary", "closing", "fraction"}
+
+
+_APART = frozenset(pair for pair in product(KINDS, KINDS) if _is_apart(*pair))
+_BESIDE_FRACTIONS = frozenset(pair for pair in product(FACTORS, FACTORS) if "fraction" in pair)
 
 
 def fraction_of(above: Box, below: Box, display: bool) -> Box:
