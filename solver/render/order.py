@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
+from operator import attrgetter
 from typing import Any
 
 import sympy as sp
@@ -207,7 +208,7 @@ def _linear(argument: Any) -> tuple[float, str]:
     number, rest = argument.as_coeff_Mul()
     if rest.is_Symbol and rest.name in TIME:  # as nearly always, where `coeff` takes long
         return _real(number)
-    time = next((symbol for symbol in argument.free_symbols if symbol.name in TIME), None)
+    time = _first_named(argument, TIME)
     return _real(argument.coeff(time)) if time is not None else (0.0, "")
 
 
@@ -224,7 +225,7 @@ def _logarithmic_rate(base: Any, exponent: Any) -> tuple[float, str]:
 @lru_cache(maxsize=4096)
 def _mean_root(base: Any) -> tuple[float, str]:
     """Return the mean of the roots of a denominator in s or z: the real part, for a linear factor or a pair."""
-    variable = next((symbol for symbol in base.free_symbols if symbol.name in POLYNOMIAL), None)
+    variable = _first_named(base, POLYNOMIAL)
     if variable is None:
         return 0.0, ""
     number, rest = base.as_coeff_Add()
@@ -238,6 +239,11 @@ def _mean_root(base: Any) -> tuple[float, str]:
     if not poly.degree():
         return 0.0, ""
     return _real(-poly.coeff_monomial(variable ** (poly.degree() - 1)) / (poly.degree() * poly.LC()))
+
+
+def _first_named(expression: Any, names: frozenset[str]) -> Any | None:
+    """Return of the symbols that have one of the names the first by name, t of t and τ; None where there is none."""
+    return min((each for each in expression.free_symbols if each.name in names), key=attrgetter("name"), default=None)
 
 
 def _real(number: Any) -> tuple[float, str]:

@@ -269,6 +269,14 @@ def test_both_adds_decimals_to_answers_that_are_hard_to_picture():
     assert tex(sqrt(2), both) == r"\sqrt{2}"
 
 
+@pytest.mark.parametrize("known", ["real", "positive", "nonnegative", "finite", "complex", "nonzero", "extended_real"])
+def test_exponentials_of_two_times_decay_in_the_first(known):
+    """What decays in t grows in τ: which of the two decides is no matter of the order of a set."""
+    t, tau = sp.symbols("t tau", **{known: True})
+    slow, fast = (sp.exp(rate * (tau - t)) for rate in (4, 5))
+    assert tex(fast + slow) == f"{tex(slow)} + {tex(fast)}"
+
+
 def test_the_order_of_terms_does_not_depend_on_the_order_of_construction():
     terms = [exp(-t), -2 * exp(-3 * t), t * exp(-t), cos(2 * t), sin(2 * t), sp.Integer(1)]
     printed = {tex(sp.Add(*terms[i:], *terms[:i])) for i in range(len(terms))}
