@@ -17,6 +17,7 @@ from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.grading import check_exam
 from solver.cli.handed_in import exam_of, passed_over
+from solver.cli.inputs import is_one_file
 from solver.cli.marks_kept import marks_kept, tidy, working
 from solver.cli.papers import CheckRequest, Paper, Problems, files_in, told_apart
 from solver.cli.progress import Meter
@@ -34,7 +35,7 @@ def check_files(request: CheckRequest) -> int:
     settle()
     problem, named = told_apart(request.files)
     files = files_in(named, problem, request.changes)
-    several = len(files) > 1 or any(Path(name).is_dir() for name in named)
+    several = len(files) > 1 or not all(map(is_one_file, named))
     _refuse_to_overwrite(request, (*files, *filter(None, (problem, request.changes))))
     if (exam := exam_of(problem, files)) is not None:
         return check_exam(request, exam, files, passed_over(named, (*files, *filter(None, (request.changes,)))))

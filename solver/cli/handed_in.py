@@ -14,7 +14,7 @@ from solver.classroom.reading.answer_file import node_naming, root_of_answers
 from solver.classroom.syntax import Readings
 from solver.cli.destination import STANDARD, AtFault
 from solver.cli.named import named_in
-from solver.cli.papers import CheckRequest, submitted
+from solver.cli.papers import CheckRequest, below, submitted
 from solver.cli.solving import INPUT_AT_FAULT, UNSOLVED, source_of
 from solver.cli.syntax import Told
 from solver.messages import Messages
@@ -77,10 +77,16 @@ def source_of_exam(exam: str, files: Sequence[str]) -> Source:
 
 
 def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
-    """Return the files of folders that are not read since they do not end in .yaml; hidden ones are none."""
+    """Return what is in folders and is not read, folders with a stroke behind them; hidden ones are none.
+
+    It is told how answer files in folders below are named.
+    """
     read = {Path(file).resolve() for file in files if file != STANDARD}
-    inside = [path for name in named if Path(name).is_dir() for path in sorted(Path(name).iterdir())]
-    return [str(path) for path in inside if path.is_file() and path.resolve() not in read and path.name[0] != "."]
+    folders = [Path(name) for name in named if Path(name).is_dir()]
+    inside = [path for folder in folders for path in sorted(folder.iterdir()) if path.name[0] != "."]
+    for each in filter(None, map(below, map(str, folders))):
+        click.echo(each.strip(), err=True)
+    return [f"{path}/" if path.is_dir() else str(path) for path in inside if path.resolve() not in read]
 
 
 def readings_of(

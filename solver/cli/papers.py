@@ -12,6 +12,7 @@ from solver.classroom import Submission, read_submission
 from solver.classroom.reading.files import answer_files, load_submitted
 from solver.cli.destination import STANDARD, AtFault
 from solver.cli.executing import Workers
+from solver.cli.inputs import WILD, found_by, is_one_file
 from solver.cli.named import named_in
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of
@@ -101,18 +102,36 @@ def _holds_answers(file: str) -> bool:
 
 
 def files_in(named: Sequence[str], *others: str | None) -> tuple[str, ...]:
-    """Return the files that are named, for a folder those in it, by name, less the other ones that are read."""
+    """Return the files that are named, for a folder or a pattern those found, by name, less the other ones read."""
     apart = {Path(file).resolve() for file in others if file}
     found: list[str] = []
     for name in named:
-        if name == STANDARD or not Path(name).is_dir():
+        if is_one_file(name):
             found.append(name)
             continue
-        files = [str(path) for path in answer_files(Path(name)) if path.resolve() not in apart]
+        inside = map(str, answer_files(Path(name))) if Path(name).is_dir() else _fitting(name)
+        files = [file for file in inside if Path(file).resolve() not in apart]
         if not files:
-            raise click.UsageError(f"there is no answer file in {name}; they end in .yaml.")
+            raise click.UsageError(f"there is no answer file in {name}; they end in .yaml.{below(name)}")
         found += files
     return tuple(dict.fromkeys(found))
+
+
+def _fitting(pattern: str) -> list[str]:
+    """Return the answer files that fit a pattern. What a link among the folders leads to is nobody's answer."""
+    named = next(place for place, part in enumerate(Path(pattern).parts) if WILD.search(part))
+    found = {file: [folder for folder in Path(file).parents if len(folder.parts) > named] for file in found_by(pattern)}
+    linked = {folder for folders in found.values() for folder in folders if folder.is_symlink()}
+    if linked:
+        click.echo(f"passed over, links: {', '.join(map(str, sorted(linked)))}", err=True)
+    return [file for file, folders in found.items() if linked.isdisjoint(folders)]
+
+
+def below(folder: str) -> str:
+    """Return how the answer files in the folders of a folder are named, "" where there are none."""
+    pattern = Path(folder) / "*" / "*.yaml"
+    there = Path(folder).is_dir() and any(Path(folder).glob("*/*.yaml"))
+    return f" For those of its folders: '{pattern}'" if there else ""
 
 
 class Problems:

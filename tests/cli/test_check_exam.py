@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import os
 import re
 
 import pytest
@@ -170,6 +171,28 @@ def test_the_report_is_written_beside_the_grades(solve, hand_in, gains, tmp_path
     assert "Not readable: in/bad.yaml" in page
     foreign = page.split('id="foreign"')[1].split("</table>")[0]
     assert "<td>1.f.K</td><td>1</td><td>2: S1, S3</td>" in foreign
+
+
+def test_folders_below_are_named_and_read_by_a_pattern_links_apart(solve, tmp_path):
+    find = "{a: {task: eigenstructure, answers: [eigenvalues]}}"
+    asked = f"{{system: {{matrix: [[1, 2], [0, 3]]}}, find: {find}}}"
+    (tmp_path / "exam.yaml").write_text(f"exam: E\nquestions: [{{marks: 2, problem: {asked}}}]\n", encoding="utf-8")
+    for folder in ("in", "in/Anna", "in/Ben", "elsewhere"):
+        (tmp_path / folder).mkdir()
+        text = "answers: {1: {a: {eigenvalues: [1, 3]}}}\n"
+        (tmp_path / folder / "answers.yaml").write_text(text, encoding="utf-8")
+    (tmp_path / "in" / "link").symlink_to(tmp_path / "elsewhere")
+    os.mkfifo(tmp_path / "in" / "pipe.yaml")
+    done = solve("check", "exam.yaml", "in", "--jobs", 1)
+    assert "marked 1 of 1 files" in done.err
+    assert "For those of its folders: 'in/*/*.yaml'" in done.err
+    assert "by their names: in/Anna/, in/Ben/, in/link/, in/pipe.yaml\n" in done.err
+    done = solve("check", "exam.yaml", "in/*/*.yaml", "--jobs", 1)
+    assert [line.split(",")[0] for line in done.out.splitlines() if ", variant 1" in line] == [
+        "in/Anna/answers.yaml",
+        "in/Ben/answers.yaml",
+    ]
+    assert "passed over, links: in/link\n" in done.err
 
 
 def test_a_report_is_about_an_exam(solve, good, tmp_path):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
@@ -11,6 +12,9 @@ from solver.classroom.report.hundredths import in_hundredths
 from solver.classroom.report.words import number
 from solver.classroom.verdicts import Marking, PartVerdict
 from solver.messages import Messages
+
+FORMULA = re.compile(r"(^|[;\t\r\n])(?=\s*[=+@＝＋＠－-]|[\t\r\n])")
+"""Where a cell may begin that is a formula; signs of full width are the same to some spreadsheets."""
 
 Columns = Sequence[tuple[str, Sequence[str]]]
 """The parts by id, each with the answers that carry its marks."""
@@ -54,5 +58,8 @@ def _earned(part: PartVerdict, answer: str) -> int | float:
 
 
 def harmless(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula."""
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r", "\n") else text
+    """Return a text of which no spreadsheet takes anything for a formula.
+
+    Where it parts cells at semicolons, or at tabs, what follows one in a text is a cell, too.
+    """
+    return FORMULA.sub(r"\1'", text)
