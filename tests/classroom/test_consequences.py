@@ -11,7 +11,7 @@ from solver.engine import given_of
 from solver.tasks import catalogue
 from tests.helpers.solved import EXAMPLES, by_problem, solution_of
 
-QUICK = EXAMPLES[::5]
+QUICK = EXAMPLES[::10]
 """See `test_mutations`."""
 
 

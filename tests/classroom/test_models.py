@@ -12,8 +12,15 @@ from tests.helpers.solved import solution_of
 
 ANSWERS = yaml.safe_load((Path(__file__).parent / "models.yaml").read_text(encoding="utf-8"))
 CASES = [
-    pytest.param(model, part, answer, values, id=f"{model}-{part}-{answer}", marks=pytest.mark.xdist_group(model))
-    for model, parts in ANSWERS.items()
+    pytest.param(
+        model,
+        part,
+        answer,
+        values,
+        id=f"{model}-{part}-{answer}",
+        marks=[pytest.mark.xdist_group(model), *([pytest.mark.slow] if place % 3 else [])],
+    )
+    for place, (model, parts) in enumerate(sorted(ANSWERS.items()))
     for part, answers in parts.items()
     for answer, values in answers.items()
 ]

@@ -24,7 +24,7 @@ from tests.helpers.marked import marker
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of
 from tests.helpers.students import mutants, rounded, written
 
-QUICK = EXAMPLES[::5]
+QUICK = EXAMPLES[::10]
 MODELLING = ("equations_of_motion", "state_space_model", "equilibrium_points", "linearization", "solve_equations")
 MODELS = [path for path in PROBLEMS if path not in EXAMPLES and any(t in path.read_text("utf-8") for t in MODELLING)]
 MOST = 3

@@ -174,7 +174,10 @@ def told(name):
     return document, document.told(language="de")
 
 
-EVERY_PAGE = [pytest.param(name, marks=pytest.mark.xdist_group(f"german {name}")) for name in PAGES]
+EVERY_PAGE = [
+    pytest.param(name, marks=[pytest.mark.xdist_group(f"german {name}"), *([pytest.mark.slow] if place % 3 else [])])
+    for place, name in enumerate(PAGES)
+]
 
 
 def words_of(page):

@@ -234,7 +234,10 @@ def is_constant(difference, system):
     return not sp.expand(difference).free_symbols & set(read(system).parts[0].system.jets)
 
 
-@pytest.mark.parametrize("name", ["cart", "spring", "bound", "rope", "moved", "turning", "hoop"])
+SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in ("spring", "rope", "turning", "hoop")]
+
+
+@pytest.mark.parametrize("name", ["cart", "bound", "moved", *SLOW])
 def test_corrupted_answers_are_rejected(name):
     system = EVERY[name]
     answers = solved(system).answers

@@ -44,7 +44,7 @@ def test_half_of_the_submissions_are_right():
 
 
 def test_truths_of_a_sample_are_those_of_the_judges():
-    assert not [slip for each in ALL[3::120] for slip in each.slips()]
+    assert not [slip for each in ALL[3::240] for slip in each.slips()]
 
 
 @pytest.mark.parametrize("chosen", SELDOM)
@@ -53,7 +53,7 @@ def test_truths_are_those_of_the_judges(chosen):
 
 
 def test_a_sample_is_marked_as_it_is():
-    assert not mismarked(ALL[7::80])
+    assert not mismarked(ALL[7::160])
 
 
 @pytest.mark.parametrize("chosen", IN_TURN)
