@@ -10,9 +10,11 @@ from solver.classroom.reading.linear_sums import coefficients, terms
 _LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$", re.DOTALL)
 _STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
 _REFERENCE = re.compile(r"\s*\+\s*(?:(?:[A-Z]_?\w?|[\d./]+)\s*[*·]?\s*)?[rvw](?:\([tk]\)|\[k\])?\s*$")
-_BEFORE = re.compile(r"^\s*[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
+_BEFORE = re.compile(r"^\s*(?:(?:[A-Z]_?\w?|[\d./]+)\s*[*·]?\s*)?[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
 _SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
+_EACH = re.compile(r"\s*u_?([1-9])(?:\([tk]\)|\[k\])?\s*=\s*(.+)", re.DOTALL)
+_BETWEEN = re.compile(r"\s*[,;\n]\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+")
 _PARAMETER = re.compile(r"([KT])_?\{?([pPidIDnNvV])\}?\s*=\s*([\d./√]+)\s*(?:s|sec)?")
 _ACTIONS = {"KI": "{}/s", "KD": "{}*s", "TI": "1/({}*s)", "TN": "1/({}*s)", "TD": "{}*s", "TV": "{}*s"}
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
@@ -35,6 +37,24 @@ def gain_of(text: str) -> str:
         return f"[({'' if found[1] else '-'}({found[2]}))]"
     coefficients = _coefficients(law)
     return f"[{', '.join(f'-({each})' for each in coefficients)}]" if coefficients else ""
+
+
+def gains_of(text: str) -> str:
+    """Return the matrix K of u1 = -2 x1, u2 = -x1 - 3 x2, a law for each input; "" of any other text."""
+    found = [_EACH.fullmatch(piece) for piece in split(text.translate(_BELOW), _BETWEEN)]
+    numbers = [int(each[1]) for each in found if each]
+    rows = [coefficients(each[2].rstrip("."), "x") for each in found if each]
+    if len(numbers) < max(2, len(found)) or sorted(numbers) != list(range(1, len(found) + 1)):
+        return ""
+    named = [{int(index): value for (_, index), value in row.items() if index} for row in rows if row is not None]
+    if len(named) < len(rows) or any(len(each) < len(row or {}) for each, row in zip(named, rows, strict=True)):
+        return ""
+    width = max((max(each, default=0) for each in named), default=0)
+    lines = {
+        number: ", ".join(f"-({each[i]})" if i in each else "0" for i in range(1, width + 1))
+        for number, each in zip(numbers, named, strict=True)
+    }
+    return f"[{'; '.join(lines[number] for number in sorted(lines))}]" if width else ""
 
 
 def law_of(text: str) -> str:

@@ -164,7 +164,7 @@ def _paired(items: Sequence[Item]) -> list[Pair]:
 def _by_index(items: Sequence[Item]) -> list[Pair]:
     """Vectors whose indices are no numbers 1, 2, …, and so tell eigenvalues: v_5 = (1, 1), v_2 = (1, -2)."""
     indices = [each.name for each in items]
-    counted = sorted(indices) == [str(i) for i in range(1, len(items) + 1)]
+    counted = sorted(indices) in ([str(i) for i in range(first, len(items) + first)] for first in (0, 1))
     if counted or not all(map(str.isdigit, indices)) or len(set(indices)) < len(indices):
         return []
     return [(each.name, each.text) for each in items]

@@ -53,7 +53,9 @@ _COLUMNS = re.compile(r"^\s*\[[^\[\]=]*\]\s*=\s*(?=\[)")
 _MEMBER = re.compile(r"\s*\\?[^\W\d]\w*\s*(?:∈|\\in\b|\bin\b)\s*(?=\\?[{\[])")
 _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
-_CHANGES = re.compile(r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp)\s*\(")
+_CHANGES = re.compile(
+    r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp(?!\((?:A\s*[*·]?\s*[tT]|t\s*[*·]?\s*A)\)))\s*\("
+)
 _DEFINED = re.compile(
     r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)'?|adj\s*/\s*det|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
     r"|\(\s*[sz]\s*I\s*-\s*A\s*\)\s*\^[({]?-1[)}]?|(?:∂|d\s?)\w+\s*/\s*(?:∂|d\s?)\w+|lim[\W_].*\)|[A-Za-z]_?∞"
@@ -65,7 +67,9 @@ _ARGUMENTS = re.compile(r"(?<=[\w}*'])\s*\(([^()=]*)\)$")
 _VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
 _OF_A = re.compile(r"(?=.*(?<![A-Za-z])A(?![A-Za-z]))[\d\s+*/^(){}·−AIest-]+")
 """What is found from A: e^(-2t) (A + 3I) - e^(-3t) (A + 2I), A^2 + 3A + 2I."""
-_FOUND_BY = re.compile(r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|charpoly|poly|minreal|tf|ss2tf|step|lim)\b")
+_FOUND_BY = re.compile(
+    r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|exp(?=\((?:A\s*[*·]?\s*t|t\s*[*·]?\s*A)\))|charpoly|poly|minreal|tf|ss2tf|step|lim)\b"
+)
 _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
 _DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")

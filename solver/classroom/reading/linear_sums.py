@@ -12,6 +12,7 @@ _TERM = re.compile(
     re.DOTALL,
 )
 _OUTER = re.compile(r"^\s*([-+−]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
+_DIVIDED = re.compile(r"(\(.*)\)\s*/\s*(\d+(?:\.\d+)?)", re.DOTALL)
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
 
 Name = tuple[str, str]
@@ -32,7 +33,9 @@ def coefficients(text: str, letters: str) -> dict[Name, str] | None:
     if text == "0":
         return {}
     outer = ""
-    if (found := _OUTER.match(text)) and matching(text, found.end()) == len(text) - 1:
+    if (found := _DIVIDED.fullmatch(text)) and matching(text, 0) == found.end(1):
+        outer, text = f"(1/({found[2]}))*", found[1][1:]
+    elif (found := _OUTER.match(text)) and matching(text, found.end()) == len(text) - 1:
         factor = found[1].strip()
         outer, text = f"({factor}1)*" if factor in ("", "-", "+") else f"({factor})*", text[found.end() + 1 : -1]
     named: dict[Name, str] = {}

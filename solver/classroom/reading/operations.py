@@ -67,7 +67,7 @@ def combined(node: Node, text: str, read: Read) -> Node | None:
     Raises Fault where a number is added to one.
     """
     text = _RAISED.sub(r"\1(\2)", text)  # e^{-t} [1 2; 3 4]
-    if found := SPECIAL.fullmatch(text):
+    if (found := SPECIAL.fullmatch(text)) and matching(text, found.start(2) - 1) == len(text) - 1:
         listed = read(f"[{found[2]}]")
         return special_matrix(found[1], listed) if isinstance(listed, SequenceNode) else None
     if (found := _PART.match(text)) and matching(text, found.end() - 1) == len(text) - 1:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from solver.classroom.reading import solution_sets, state_equations
 from solver.classroom.reading.brackets import rows, split
+from solver.classroom.reading.control_laws import gains_of
 from solver.classroom.reading.latex import plainly
 from solver.classroom.reading.matrix_remarks import of_products
 from solver.classroom.reading.names import symbols_of
@@ -105,6 +106,8 @@ def _matrix_told(text: str, name: str, ours: sp.MatrixBase) -> str:
         bare = with_commas(without_kinds(text))
         told = with_conjugates(bare) or of_unit_vectors(bare, ours.rows)
         return told or (bare if bare != text else "")
+    if name == "K" and ours.rows > 1:
+        return gains_of(text)
     return of_products(text) if name == "controllability_matrix" else ""
 
 

@@ -17,6 +17,8 @@ _PROMPT = re.compile(
     r"^\s*(?:>>>?|julia>|R?>|sage:|octave:\d+>|In\s?\[\d+\]\s*:=?|Out\s?\[\d+\]\s*(?:/\w+=|[:=])|\(?%[io]\d+\)?)\s*"
 )
 _LABEL = re.compile(r"\s*[^\W\d]\w*\s*=\s*")
+_SCALE = re.compile(r"\s*(\d(?:\.\d+)?e[-+]\d{2,3})\s*\*\s*(?=[^\s\[])")
+"""The factor that MATLAB sets above a matrix."""
 _ECHO = re.compile(r"[^\W\d]\w*;?|.*\(.*\);?")
 """What is typed at a prompt: a name or a call, whose value stands below."""
 _JULIA = re.compile(
@@ -51,6 +53,8 @@ def in_rows(text: str, shape: Shape) -> str:
         return ""
     bare = without_prompt(text)
     label = found[0] if (found := _LABEL.match(bare)) else ""
+    if scale := _SCALE.match(bare, len(label)):
+        return f"{label}{scale[1]}*[{bare[scale.end() :].strip()}]"
     for read in (_of_julia, _of_r, _of_brackets, _of_bars, _of_names, _of_lines, _between_bars, _of_one_line):
         if rows := read(bare.removeprefix(label), shape):
             return label + rows
