@@ -43,7 +43,7 @@ def example_of(
         return _points(ours)
     if kind == "a list":
         items = list(ours) if isinstance(ours, list | tuple) else []
-        return (zero and _equations(items)) or next(text for text, value in LISTS if items != value)
+        return (_equations(items) if zero else "") or next(text for text, value in LISTS if items != value)
     if kind == "an expression":
         among = COUNTS if count else EXPRESSIONS[_variable(ours)]
         return next((text for text, value in among if not _same(ours, value)), "")

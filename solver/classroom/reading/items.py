@@ -10,12 +10,15 @@ from solver.classroom.reading.grids import diagonal_of
 from solver.classroom.reading.labels import SUBSCRIPTS, twice_named, without_labels
 from solver.classroom.reading.list_texts import times_over
 from solver.classroom.reading.nodes import flat
+from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 _PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
 _COUNTS = tuple(map(str, range(1, 10)))
 _DOTS = re.compile(r"\s*[,;]?\s*(?:\.{2,}|…|\\[lc]?dots|etc\.?|usw\.?)\s*([\])}]?)\s*$")
+_NUMBERED = re.compile(r"\s*(?:\((\d|[iI]{1,3}|[iI][vV]|[a-h])\)|(\d|[iI]{1,3}|[iI][vV]|[a-h])[:.)])\s+")
+"""(1) m x'' = F, (2) …"""
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
 
 
@@ -67,14 +70,23 @@ def without_dots(node: Node) -> Node:
 
 
 def as_differences(node: Node) -> Node:
-    """Return expressions that are zero with left − right in place of an equation left = right."""
+    """Return expressions that are zero with left − right in place of an equation left = right, without its number."""
     if isinstance(node, SequenceNode):
+        numbered = [_NUMBERED.match(item.text) if isinstance(item, ScalarNode) else None for item in node.items]
+        if len(numbered) > 1 and [each and (each[1] or each[2]) for each in numbered] in _numberings(len(numbered)):
+            bare = [typed(item)[each.end() :] for item, each in zip(node.items, numbered, strict=True) if each]
+            node = SequenceNode(node.place, tuple(ScalarNode(node.place, each, "quoted") for each in bare))
         return SequenceNode(node.place, tuple(map(as_differences, node.items)))
     text = node.text.replace("==", "=") if isinstance(node, ScalarNode) else ""
     if text.count("=") != 1 or not isinstance(node, ScalarNode):
         return node
     left, right = text.split("=")
     return ScalarNode(node.place, f"({left.strip()}) - ({right.strip()})", "quoted")
+
+
+def _numberings(count: int) -> list[list[str]]:
+    """The numbers that equations may have before them, from the first on."""
+    return [list(signs[:count]) for signs in (_COUNTS, ("I", "II", "III", "IV"), ("i", "ii", "iii", "iv"), "abcdefgh")]
 
 
 def unlabelled(items: Sequence[Node], texts: TextReader) -> Sequence[Node]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -35,6 +36,8 @@ def is_like(value: Any, ours: Any) -> bool:
     """Whether a value has the shape of ours, where shapes can be told."""
     if isinstance(value, sp.MatrixBase) and isinstance(ours, sp.MatrixBase):
         return bool(value.shape == ours.shape)
+    if isinstance(value, Mapping) and isinstance(ours, Mapping):
+        return set(value) <= set(ours)
     if isinstance(value, list) and isinstance(ours, list | tuple):
         return len(value) == len(ours)
     variable = polynomials.variable_of(ours)

@@ -7,6 +7,7 @@ import re
 import sympy as sp
 
 from solver.classroom.reading.brackets import cells, enclosed, split
+from solver.problem.expressions.notation import FUNCTIONS
 
 _REMARK = re.compile(r"(?<=[\])])\s*,?\s*(?:\(([^()\d=<>]*)\)|(?:%|#|//)\s*([^\d=<>]*))\s*\.?$")
 _REASON = re.compile(
@@ -49,6 +50,10 @@ _ON_DIAGONAL = re.compile(
     r"^\s*([^()\[\]]*?)\s*,?\s+(?:on|auf)\s+(?:the|der)\s+(?:main\s+)?(?:haupt)?diagonal(?:en|e)?\s*\.?$", re.IGNORECASE
 )
 _BETWEEN = re.compile(r"\s*[,;\n]\s*")
+_ITS_NAME = re.compile(r"\\?[^\W\d]\w*\s*(?:\([tk]\))?")
+_WORDS = re.compile(r"[^\W\d]\w*")
+_OF_MOTION = frozenset({"t", "k", "s", "z", "e", "j", "pi", "π", *FUNCTIONS})
+"""Words that may stand in a value, and name nothing else."""
 
 
 def without_remark(text: str) -> str:
@@ -88,6 +93,18 @@ def entries_concluded(text: str) -> str:
     if len(pieces) < 2 or not all(found):
         return ""
     return ", ".join(piece[match.end() :] for piece, match in zip(pieces, found, strict=True) if match)
+
+
+def entries_behind_names(text: str) -> str:
+    """Return x2 = 2t of x1 = t^2, x2 = x1' = 2t, for each entry what stands at the end of its chain; else ""."""
+    pieces = split(text, _PIECES)
+    chains = [[each.strip() for each in piece.split("=")] for piece in pieces]
+    between = [side for chain in chains for side in chain[1:-1]]
+    named = all(_ITS_NAME.fullmatch(chain[0]) and all(chain) for chain in chains if len(chain) > 1)
+    others = all({*_WORDS.findall(side)} - _OF_MOTION for side in between)
+    if not between or not named or not others or any(len(chain) < 2 for chain in chains):
+        return ""
+    return ", ".join(f"{chain[0]} = {chain[-1]}" for chain in chains)
 
 
 def with_matrices(text: str) -> str:

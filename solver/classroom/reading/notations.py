@@ -16,11 +16,12 @@ import sympy as sp
 from solver.classroom.reading.angles import with_one_argument
 from solver.classroom.reading.brackets import matching
 from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.derivatives import only_entry, with_derivatives, with_variations
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.real_parts import with_real_parts
 from solver.classroom.reading.spelling import respelled
 from solver.problem.expressions import ExpressionError, Names
-from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS, GREEK
+from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS
 from solver.problem.expressions.tokens import Kind, tokenize
 from solver.problem.expressions.vocabulary import as_product, pieces_of
 
@@ -34,12 +35,11 @@ _FUNCTION = "|".join(
 _BARE_CALL = re.compile(rf"(?<![A-Za-z_])(?:{_FUNCTION})(?![\w(])(?!\s*\()")
 _POLAR = re.compile(r"((?:(?<![A-Za-z_])e\s*\^|\bexp)\s*\()\s*±\s*([ij])(?![A-Za-z_])\s*\*?")
 _LIST = re.compile(r"(?<![A-Za-z])\[\s*[-+−]?[\d.]+\s+[-+−√\d.]*[\d.]+\s*\]")
-_QUOTIENT = re.compile(
-    r"(?<!\w)d\s*(?P<above>\^\(?2\)?|²)?\s*(?P<x>[^\W\d_]\w*)\s*/\s*d\s*(?:t|τ|tau)(?:\^\(?2\)?|²)?(?!\w)"
-    r"|(?<!\w)diff\(\s*(?P<y>[^\W\d_]\w*)(?:\(t\))?\s*,\s*t\s*(?:,\s*(?P<twice>2|t))?\s*\)"
+_DOUBLET = (
+    r"(?<!\w)d\s*(?:δ|delta)\s*(?:\(\s*t\s*\))?\s*/\s*d\s*t(?!\w)"
+    r"|(?<!\w)(?:dirac|delta)\(\s*1\s*,\s*t\s*\)|(?<!\w)delta_dot\s*\(\s*t\s*\)"
 )
-"""d²x/dt², and diff(x, t, 2) of programs."""
-_VARIATION = re.compile(r"(?:δ|(?<![A-Za-z_])delta[ _*])\s*([^\W\d_](?:\w*\d)?(?:_d?dot)?)(?![^\W_])")
+_DOTTED = "ȧḃċḋėḟġḣṁṅȯṗṙṡṫẇẋẏżȦḢṀṄȮṖṘṠṪẊẎŻ"
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
 _RESERVED = re.compile(r"(?:(?<=[-+−*/(\d])|(?<=[-+−*/(\d]\s)|^)(as|is|in|if|or)(?=\s*(?:[-+−*/)^²³]|$))")
@@ -51,8 +51,11 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     (re.compile(pattern), change)
     for pattern, change in (
         (r"^\s*[=≈]\s*", ""),
-        (r"[^\W\d_]\u0308|[ẍẅẗÿ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}''"),
-        (r"[^\W\d_]\u0307|[ẋẏżṗṙṡ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}'"),
+        (r"[^\W\d_]\u0308|[ẍẅẗÿẌŸ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}''"),
+        (
+            r"[^\W\d_]\u0307|[ȧḃċḋėḟġḣṁṅȯṗṙṡṫẇẋẏżȦḢṀṄȮṖṘṠṪẊẎŻ]",
+            lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}'",
+        ),
         (r"([^\W\d_])(['′]{1,3})_?(\{\d\}|\(\d\)|\d(?!\d)|[₀-₉])", r"\1\3\2"),  # ẍ_1 is x_1''
         (r"([^\W\d_])[({](\d)[)}](['′]{1,3})", r"\1\2\3"),
         (r"[ℯℊⅆⅇⅈⅉ\U0001d400-\U0001d7ff\uff01-\uff5e]", lambda found: unicodedata.normalize("NFKC", found[0])),
@@ -84,6 +87,8 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"⅕", "(1/5)"),
         (r"⅙", "(1/6)"),
         (r"⅛", "(1/8)"),
+        (_DOUBLET, "delta'(t)"),
+        (r"(?:δ|(?<![A-Za-z_])delta)_\{?([kn])\}?(?!\w)", r"delta(\1)"),
         (r"_?[₀-₉]+", lambda found: f"_{found[0].lstrip('_').translate(_SUBSCRIPTS)}"),  # x₁ for x_1
         (r"_\{\s*(\w+)\s*\}", r"_\1"),  # x_{1}
         (r"_\(\s*(\d+)\s*\)", r"_\1"),
@@ -120,7 +125,7 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     text = with_one_argument(text)
     text = _with_units(_with_steps(_with_polar(_with_signs(text, choices)), names), names)
     text = with_real_parts(text, names, lambda inside: _with_names(inside, names))
-    return _with_names(_with_derivatives(_with_variations(text, names), names), names)
+    return _with_names(with_derivatives(with_variations(text, names), names), names)
 
 
 def _as_letters(word: str, names: Names) -> str:
@@ -177,49 +182,6 @@ def _with_units(text: str, names: Names) -> str:
     return re.sub(rf"(?<![\w.])([ijI])(?=(?:{_FUNCTION})\b)", r"\1 ", text)
 
 
-def _with_variations(text: str, names: Names) -> str:
-    """δx as dx, where the problem has this variation of x."""
-
-    def variation(found: re.Match[str]) -> str:
-        return f" d{found[1]}" if f"d{found[1]}" in names.symbols else found[0]
-
-    return _VARIATION.sub(variation, text)
-
-
-def _with_derivatives(text: str, names: Names) -> str:
-    """x' and x'' as x_dot and x_ddot, where the problem has these; m x'' of mx''; d²x/dt² as x_ddot; x1(t) as x1."""
-
-    def derivative(found: re.Match[str]) -> str:
-        order = found[2].count("'") + found[2].count("′") + 2 * found[2].count("″") + found[2].count("’")
-        ending = {1: "_dot", 2: "_ddot", 3: "_dddot"}.get(order, "")
-        written = "".join(GREEK.get(sign, sign) for sign in found[1])
-        for at in range(len(found[1])):
-            name = ("".join(GREEK.get(sign, sign) for sign in found[1][at:]) if at else written) + ending
-            if name not in names.symbols and (squeezed := name.replace("_", "", 1)) in names.symbols:
-                name = squeezed
-            if not at and (alone := f"{written}11{ending}") in names.symbols and f"{written}12" not in names.symbols:
-                return f" {alone} "
-            if name in names.symbols:
-                return f" {found[1][:at]} {name}" if at or name != found[1] + ending else name
-        return found[0]
-
-    def quotient(found: re.Match[str]) -> str:
-        name = "".join(GREEK.get(sign, sign) for sign in found["x"] or found["y"])
-        ending = "_ddot" if found["above"] or found["twice"] else "_dot"
-        if f"{name}11{ending}" in names.symbols and f"{name}12" not in names.symbols:
-            return f"({name}11{ending})"
-        name += ending
-        return f"({name})" if name in names.symbols else found[0]
-
-    def signal(found: re.Match[str]) -> str:
-        known = found[1] in names.symbols or f"{found[1].replace('_', '')}" in names.symbols
-        return found[1] if known and found[1] not in FUNCTIONS else found[0]
-
-    text = _QUOTIENT.sub(quotient, text)
-    text = re.sub(r"([^\W\d_]\w*)(['′″’]+)", derivative, text)
-    return re.sub(r"(?<![A-Za-z_])([A-Za-z]\w*)\(\s*[tk]\s*\)", signal, text)
-
-
 def _with_names(text: str, names: Names) -> str:
     """Names as the problem spells them: x_1 for x1, p21 for p12 of a symmetric matrix; te as the product t e."""
     try:
@@ -256,8 +218,8 @@ def _meant(name: str, names: Names) -> str:
         upper = sorted(each for each in bare if re.fullmatch(rf"{found[1]}\d\d", each) and each[-2] <= each[-1])
         if int(found[2]) <= len(upper):  # p1, p2, p3 of a symmetric matrix
             return bare[upper[int(found[2]) - 1]]
-    if f"{squeezed}11" in bare and f"{squeezed}12" not in bare:  # p, the only entry of a 1×1 matrix
-        return bare[f"{squeezed}11"]
+    if alone := only_entry(name, names.symbols):
+        return alone
     if (found := re.fullmatch(rf"({_FUNCTION})([a-zA-Z])", name)) and names.declares(found[2]):
         return f"{found[1]} {found[2]}"
     indexed = re.fullmatch(r"[^\W\d_]{2,}_\d+", name)  # kx_1

@@ -16,11 +16,12 @@ from solver.classroom.reading import list_texts, matrix_remarks, matrix_texts, r
 from solver.classroom.reading.brackets import closed
 from solver.classroom.reading.control_laws import coefficients_of, controller_of, gain_of, law_of
 from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.first_values import with_first_values
 from solver.classroom.reading.inverses import with_inverses
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
-from solver.classroom.reading.likeness import is_of_time
+from solver.classroom.reading.likeness import has_step, is_of_time
 from solver.classroom.reading.names import symbols_of
-from solver.classroom.reading.piecewise import as_steps, with_first_value
+from solver.classroom.reading.piecewise import as_steps
 from solver.classroom.reading.polynomials import of_named_coefficients, variable_of
 from solver.classroom.reading.printed import in_rows
 from solver.classroom.reading.sentences import concluded, with_true_signs, without_words
@@ -125,6 +126,14 @@ def _is_signal(ours: Any, expected: Expected) -> bool:
     return is_of_time(ours, expected.name) or expected.name in ("f", "y")
 
 
+def _is_optimal(ours: Any, expected: Expected) -> bool:
+    return expected.name in ("u", "x", "costates", "P", "K") and not has_step(ours)
+
+
+def _is_mapping(ours: Any, _: Expected) -> bool:
+    return isinstance(ours, Mapping)
+
+
 def _is_of_z(ours: Any, _: Expected) -> bool:
     return "z" in {symbol.name for symbol in symbols_of(ours)}
 
@@ -143,8 +152,9 @@ def _shape(put: Callable[[str, Any], str]) -> Way:
     return lambda text, ours, _expected: put(text, ours)
 
 
-def _transform(text: str, _: Any, expected: Expected) -> str:
-    return remarks.without_region(remarks.without_transformed(text, expected.name))
+def _transform(text: str, ours: Any, expected: Expected) -> str:
+    kind = "f" if _is_function_of_time(ours, expected) else expected.name
+    return remarks.without_region(remarks.without_transformed(text, kind))
 
 
 def _printed(text: str, ours: Any, _: Expected) -> str:
@@ -186,11 +196,14 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
             _text(list_texts.one_after_another),
             _text(list_texts.between_bars),
             _text(list_texts.of_both_signs),
+            _text(matrix_remarks.entries_behind_names),
         ),
     ),
     (_is_plain_list, (_printed,)),
     (_are_mappings, (_text(list_texts.joined_alternatives), _text(list_texts.as_point))),
-    (_is_signal, (_text(with_first_value),)),
+    (_is_signal, (_text(with_first_values),)),
+    (_is_optimal, (_text(remarks.without_horizon),)),
+    (_is_mapping, (_text(matrix_remarks.entries_behind_names),)),
     (_named("solution"), (_text(_solution),)),
     (_named("coefficients"), (_text(coefficients_of),)),
     (_named("K"), (_text(gain_of),)),
@@ -204,6 +217,7 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
             _shape(matrix_texts.with_named),
             _text(matrix_remarks.without_remark),
             _text(matrix_remarks.entries_concluded),
+            _text(matrix_remarks.entries_behind_names),
             _text(matrix_remarks.with_entries),
             _text(matrix_remarks.with_matrices),
             _text(with_inverses),

@@ -22,15 +22,16 @@ _PIECE = re.compile(rf"^(.+?)\s+(?:{_FOR})\s+(.*\bt\b.*|otherwise|sonst|else)$"
                     re.DOTALL)  # fmt: skip
 _REST = re.compile(r"^([^<>≤≥]+?)\s*,?\s+(?:otherwise|sonst|else)\s*\.?$")
 _ELSE = re.compile(r"^(?:otherwise|sonst|else)\s*[:,]?\s+([^<>≤≥]+?)\s*\.?$")
+_AFTER_RANGE = re.compile(
+    r"\s*\(\s*(?:for |für |if |wenn )?([^()<>≤≥]*[<>≤≥][^()]*?)\s*[,;]\s*"
+    r"((?:sonst|otherwise|else)[^()]*|[^(),;]*(?:sonst|otherwise|else))\s*\)\s*$"
+)
+"""f (t ≥ 0, otherwise 0)."""
 _OTHERWISE = {"otherwise", "sonst", "else", "true", "\\text{otherwise}", "\\text{sonst}"}
 _RANGE = re.compile(r"^(?:([^<>≤≥t]+?)\s*(?:<=?|≤)\s*)?t\s*(?:(?:<=?|≤)\s*([^<>≤≥t]+))?$")
 _FROM = re.compile(r"^t\s*(?:>=?|≥)\s*([^<>≤≥t]+)$|^([^<>≤≥t]+)\s*(?:>=?|≥)\s*t$")
 _LATEX = (("\\leq", "<="), ("\\le", "<="), ("\\geq", ">="), ("\\ge", ">="), ("\\lt", "<"), ("\\gt", ">"), ("\\,", " "),
           ("\\quad", " "), ("\\text{for }", ""), ("\\text{if }", ""), ("\\text{für }", ""))  # fmt: skip
-_FIRST = re.compile(r"[A-Za-z]\s*[(\[]\s*0\s*[)\]]\s*=\s*([^=<>]+)")
-_LATER = re.compile(
-    r"(?:[A-Za-z]\s*[(\[]\s*k\s*[)\]]\s*=\s*)?([^=<>≥]+?)\s*,?\s*(?:for|für|,)\s*k\s*(?:>=|≥|\\geq?)\s*1\s*\.?"
-)
 MOST_PIECES = 8
 MAX_CHARACTERS = 1000
 Piece = tuple[str, str, str]
@@ -41,7 +42,11 @@ def as_steps(text: str) -> str:
     """Return a piecewise function of t as a sum with steps, "" where a text is none, or has gaps."""
     if len(text) > MAX_CHARACTERS:
         return ""
-    pairs = _pairs(text.strip())
+    label, sign, behind = text.strip().rpartition("= {")
+    bare = f"{label}= {behind.rstrip('. ')[:-1]}" if sign and behind.rstrip(". ").endswith("}") else text.strip()
+    pairs = _pairs(bare[1:-1] if enclosed(bare, "{}") else bare)
+    if len(pairs) == 1 and (only := _bounded(*pairs[0])) and only[1] not in ("", "0", "?") and not only[2]:
+        return f"({only[0]})*step(t - ({only[1]}))"  # for t >= 1, and nothing is said of what was before
     if not 1 < len(pairs) <= MOST_PIECES:
         return ""
     pieces = [_bounded(formula, condition) for formula, condition in pairs]
@@ -49,17 +54,6 @@ def as_steps(text: str) -> str:
     first = [piece for piece in known if not piece[1] and piece[2]]  # for t < 1, wherever it is told
     known = [*first, *(piece for piece in known if piece not in first)]
     return _sum(known) if len(known) == len(pieces) else ""
-
-
-def with_first_value(text: str) -> str:
-    """Return f(k) = g for k >= 1, f(0) = a as a sum with a unit pulse; "" of any other text."""
-    pieces = [
-        each.strip() for each in split(text, re.compile(r"\s*[;\n]\s*|\s*,\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+"))
-    ]
-    first = [found for found in map(_FIRST.fullmatch, pieces) if found]
-    rest = [each for each in pieces if not _FIRST.fullmatch(each)]
-    later = _LATER.fullmatch(", ".join(rest)) if len(first) == 1 else None
-    return f"({first[0][1]})*delta(k) + ({later[1].strip()})*step(k - 1)" if later else ""
 
 
 def _pairs(text: str) -> list[tuple[str, str]]:
@@ -70,9 +64,10 @@ def _pairs(text: str) -> list[tuple[str, str]]:
         lines = [re.split(r"&", line) for line in found[2].split("\\\\") if line.strip()]
         return [(line[0].strip().rstrip(","), line[1].strip()) for line in lines if len(line) == 2] if all(
             len(line) == 2 for line in lines) else []  # fmt: skip
+    text = _AFTER_RANGE.sub(r" for \1, \2", text)
     head, _, rest = text.partition("=")
     if rest and _LABEL.match(f"{head}=") and not rest.startswith("=") and head.strip()[-1:] not in "<>":
-        text = rest.strip()
+        text = re.sub(rf"(?<!\w){re.escape(head.strip())}\s*=\s*", "", rest).strip()
     if (call := _CALL.match(text)) and matching(text, call.end() - 1) == len(text) - 1:
         return _of_call(text[call.end() : -1], matlab=call[1] == "piecewise")
     found_pairs = []

@@ -41,6 +41,11 @@ _SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
 _POWER_OF_ROW = re.compile(r"\s*[sz]\s*\^?\s*[({]?[\d⁰¹²³⁴-⁹]{1,2}[)}]?\s*(?:[|:]|$)")
 _DIGITS = re.compile(r"[\d⁰¹²³⁴-⁹]{1,2}")
 _QUOTED = re.compile(r"^\s*[“”„«»‘’‚\"`]([^“”„«»`]*)[“”«»‘’\"`]\s*$|(?<=[\])'])\s*;+\s*$", re.DOTALL)
+_REPORT = re.compile(
+    r"(?:\s+Sample time: [\d.]+ (?:seconds|s))?\s+(?:# )?(?:Continuous|Discrete)-time "
+    r"(?:transfer function|zero/pole/gain model)\.?\s*(?:Model Properties\s*)?$"
+)
+"""What MATLAB says below a transfer function."""
 _SLASH = re.compile(r"\s//?\s")
 _WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{3,}")
 
@@ -52,7 +57,8 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
         node = _quotient(node) or node
     text = typed(node)
-    if isinstance(node, ScalarNode) and (bare := _QUOTED.sub(lambda found: found[1] or "", text)) != text:
+    bare = _QUOTED.sub(lambda found: found[1] or "", _REPORT.sub("", text))
+    if isinstance(node, ScalarNode) and bare != text:
         node, text = ScalarNode(node.place, bare, "quoted"), bare
     if isinstance(node, ScalarNode) and (bare := without_limit(text, name)) != text:
         node, text = ScalarNode(node.place, bare, "quoted"), bare

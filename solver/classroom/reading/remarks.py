@@ -1,15 +1,11 @@
 """What stands beside a value and is none of it: the gain at a crossing, a region of convergence, what is transformed.
 
-`-0.42 (K = 0.385)`, `±1.41j at K = 6`, `1/(s + 2), Re s > -2`, `L{f(t)} = 1/s`; and constants that are told behind the
-formula they stand in: `A/(s + 1) + B/s, A = 2, B = -1`.
+`-0.42 (K = 0.385)`, `±1.41j at K = 6`, `1/(s + 2), Re s > -2`, `L{f(t)} = 1/s`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
-
-from solver.classroom.reading.brackets import split
 
 _NAME = r"\\?[^\W\d]\w{0,11}(?:\([stzk]\))?"
 _BESIDE = re.compile(
@@ -27,15 +23,14 @@ _SAMPLED = re.compile(
     r"\s*(?:,|;|\()\s*(?:(?:with|for|mit|für)\s+)?(?:sampl\w+ time:?\s*)?"
     r"(?:T(?:_?\{?[sSaA0]\}?)?|h|dt)\s*=\s*[\d.]+\s*(?:s|sec|ms|seconds?)?\s*\)?\s*\.?$"
 )
+_HORIZON = re.compile(r"\s*,?\s*\(?(?:for|für|,)?\s*0\s*(?:<=?|≤)\s*t\s*(?:<=?|≤)\s*[\w./π√]+\s*\)?\s*\.?$")
+_CONSTANT = re.compile(r"\s*(?:=|,|\()\s*(?:const(?:ant)?|konst(?:ant)?)\b\.?\)?\s*$")
 _TRANSFORMED = re.compile(
     r"^\s*(?:\\mathcal\s*\{?\s*[LZ]\s*\}?|\\mathscr\s*\{?\s*[LZ]\s*\}?|[LZℒ𝒵])\s*(?P<inverse>\^\s*\{?\(?\s*[-−]\s*1\s*\)?\}?|⁻¹)?"
     r"\s*\\?[{\[(][^=]*?[}\])]\s*=\s*(?=\S)"
 )
 _EQUATION = re.compile(r"^\s*(?:\w+\.)*Eq\s*\(\s*([A-Za-z]\w*(?:\([tk]\))?)\s*,\s*(.+)\)\s*$", re.DOTALL)
-_GIVEN = re.compile(rf"^({_NAME})\s*=\s*([^=<>≤≥,;]+)$")
-_WITH = re.compile(r"\s*,?\s*(?:\b(?:with|where|mit|wobei|and|und)\b|[,;:])\s*")
 _SOLVED = re.compile(r"^[^=,;]*[-+−*^²³][^=,;]*=\s*0\s*[,;:]\s*(?=[^\s=])")
-MOST_CONSTANTS = 8
 
 
 def without_remarks(text: str, own: str) -> str:
@@ -58,6 +53,11 @@ def without_sample_time(text: str) -> str:
     return _SAMPLED.sub("", text)
 
 
+def without_horizon(text: str) -> str:
+    """Return what is optimal without the time from 0 on for which it is, and without that it is constant."""
+    return _CONSTANT.sub("", _HORIZON.sub("", text))
+
+
 def without_transformed(text: str, name: str) -> str:
     """Return F of L{f(t)} = F, and f of L^-1{F(s)} = f; any other text as it is."""
     found = _TRANSFORMED.match(text)
@@ -70,28 +70,6 @@ def of_equation(text: str) -> str:
     """Return y(t) = f of sympy's Eq(y(t), f); "" of any other text."""
     found = _EQUATION.match(text)
     return f"{found[1]} = {found[2]}" if found else ""
-
-
-def with_constants(text: str, known: Collection[str]) -> str:
-    """Return a formula with the numbers that are told behind it in place of their names; "" where there are none.
-
-    A name that means something in the problem is none of those.
-    """
-    formula, *rest = split(text, _WITH) or [""]
-    given = [_GIVEN.match(each.strip()) for each in rest]
-    found = [each for each in given if each is not None]
-    if not found or len(found) < len(given) or len(found) > MOST_CONSTANTS:
-        return ""
-    for each in found:
-        if each[1] in known:
-            return ""
-        beside = "|(?=[sz](?!\\w))" if len(each[1]) == 1 else ""  # τs
-        whole = re.compile(rf"(?<![\w\\]){re.escape(each[1])}(?:(?!\w){beside})")
-        if not whole.search(formula):
-            return ""
-        value = f"({each[2].strip()})"
-        formula = whole.sub(lambda _, value=value: value, formula)  # type: ignore[misc]
-    return formula
 
 
 def behind_equation(text: str) -> str:

@@ -8,7 +8,6 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading import polynomials
 from solver.classroom.reading.angles import readings_in_degrees, with_arcs
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.condition_words import in_relations, is_unclear, with_ends
@@ -20,6 +19,7 @@ from solver.classroom.reading.notations import has_bare_call, plain
 from solver.classroom.reading.programs import inside_idle_call
 from solver.classroom.reading.said_twice import agree, sides
 from solver.classroom.reading.spelling import respelled, typed
+from solver.classroom.reading.transfer_functions import with_quotients
 from solver.classroom.reading.units import ForeignUnitError, without_unit
 from solver.classroom.reading.words import mixed_number
 from solver.classroom.submitted import Decimal
@@ -163,7 +163,7 @@ class TextReader:
         bare = without_unit(_DECIBELS.sub(r"\1log10", text) if self.unit == "dB" else text, self.unit)
         if self.unit == "°":
             bare = with_arcs(bare)
-        found = polynomials.with_quotients(bare, self.variable)
+        found = with_quotients(bare, self.variable)
         found = plain(found, self.names, self.choices)
         said = _squeezed(found) == _squeezed(respelled(bare))
         self.respelt = self.respelt or not said or has_bare_call(found)

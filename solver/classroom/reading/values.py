@@ -17,10 +17,13 @@ import sympy as sp
 from solver.classroom.reading import polynomials, words
 from solver.classroom.reading.by_kind import KindReader
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
+from solver.classroom.reading.definitions import own_statement, with_told_names, without_constants
 from solver.classroom.reading.eigenpairs import eigenpairs
 from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.general_forms import is_general
 from solver.classroom.reading.labels import (
     ForeignLabelError,
+    Labels,
     changes,
     of_another_argument,
     with_own_labels,
@@ -32,15 +35,16 @@ from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.otherwise import other_texts
 from solver.classroom.reading.patched import program_in
+from solver.classroom.reading.phasors import as_sinusoid
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
-from solver.classroom.reading.remarks import with_constants
 from solver.classroom.reading.said_twice import same, sides
 from solver.classroom.reading.sentences import sides_of
 from solver.classroom.reading.signal_values import SignalReader
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
 from solver.classroom.submitted import Submitted, replaced
+from solver.derivation import AnswerName
 from solver.patches import Program
 from solver.problem.expressions import Names
 from solver.problem.expressions.notation import MAX_CHARACTERS
@@ -86,6 +90,8 @@ class Reader:
         source = written if isinstance(written, ScalarNode) else node
         if expected.paired and (pairs := eigenpairs(plainly(typed(source)))):
             return self._vectors_of(pairs, node, ours)
+        if symbols_of(ours) and (found := self._with_told_names(node, ours)):
+            return self._one_of([replace(each, respelt=True, typed=typed(written)) for each in found])
         found, faults = self._readings(node, ours)
         if not any(is_like(each.value, ours) for each in found):
             others = [each for each in self._other_readings(node, ours) if is_like(each.value, ours)]
@@ -94,7 +100,10 @@ class Reader:
             found = [replace(each, respelt=True, typed=typed(node)) for each in self._within(source, ours)] or found
         if not found:
             raise faults[0]
-        found = [each for each in found if is_like(each.value, ours)] or found
+        return self._one_of([each for each in found if is_like(each.value, ours)] or found)
+
+    def _one_of(self, found: list[Submitted]) -> Submitted:
+        """The value of one reading, or of several with each other."""
         if len(found) == 1:
             return found[0]
         first, *rest = (replace(each, respelt=True) for each in found)
@@ -144,15 +153,40 @@ class Reader:
             return []
         if len(node.text) > MAX_CHARACTERS or depth > MOST_LAYERS:
             return []
+        if isinstance(ours, Mapping) and (whole := self._as_function(node, ours)):
+            return whole
         for text in other_texts(node.text, ours, self.expected):
             other = prepared(ScalarNode(node.place, text, "quoted"), ours, self.expected.name)
             if found := self._like(other, ours) or self._within(other, ours, depth + 1):
                 return found
-        known = [*self.names.symbols, *self.names.values, *self.names.variables, "e", "pi", "j"]
-        told = with_constants(node.text, known)
-        if told and (found := self._like(ScalarNode(node.place, told, "quoted"), ours)):
-            return found
-        return self._last_side(node, ours)
+        return (self._with_told_names(node, ours) if depth else []) or self._last_side(node, ours)
+
+    def _with_told_names(self, node: Node, ours: Any) -> list[Submitted]:
+        """What a text says with what it tells of its names put in their place; nothing of any other text."""
+        if not isinstance(node, ScalarNode) or isinstance(ours, str | bool) or is_condition(ours):
+            return []
+        own = [str(each) for each in symbols_of(ours)]
+        text = with_told_names(node.text, own, [*self.names.symbols, *self.names.values]) or node.text
+        if own and isinstance(ours, sp.Expr):
+            text = own_statement(text, self.expected.labels) or without_constants(text) or text
+        if text == node.text:
+            return []
+        bare = ScalarNode(node.place, text, "quoted")
+        return self._like(bare, ours) or self._within(bare, ours, MOST_LAYERS)
+
+    def _as_function(self, node: ScalarNode, ours: Mapping[Any, Any]) -> list[Submitted]:
+        """The solution for one unknown read as a function with the unknown as its label."""
+        ((name, own),) = ours.items() if len(ours) == 1 else ((None, None),)
+        if not symbols_of(own):
+            return []
+        expected = Expected(str(name), Labels(AnswerName(str(name), str(name), "")))
+        reader = Reader(self.names, discrete=self.discrete, decimal_comma=self.decimal_comma)
+        try:
+            found = reader.read_as_expected(node, own, expected)
+        except Fault:
+            return []
+        readings = (replace(found, others=()), *found.others)
+        return [replace(each, value={name: each.value}, form={name: each.form}) for each in readings]
 
     def _like(self, node: Node, ours: Any) -> list[Submitted]:
         """The readings of a node that have the shape of ours."""
@@ -190,6 +224,7 @@ class Reader:
             if known_values and not any(same(each, one) for each in known_values for one in last):
                 raise node.fault(f"{side} and {sides[-1]} are not equal")
         named = values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours)
+        named = named or (bool(symbols_of(ours)) and is_general(sides[0], self.expected.labels))
         return last if named or polynomials.compares(ours, found[0], known) else []
 
     def _is_formula(self, text: str, ours: Any) -> bool:
@@ -253,7 +288,8 @@ class Reader:
             text, foreign = self.expected.labels.without(text)
         except ForeignLabelError as error:
             raise node.fault(str(error)) from None
-        self.texts.respelt = self.texts.respelt or foreign
+        told = as_sinusoid(text, ours)
+        self.texts.respelt, text = self.texts.respelt or foreign or told != text, told
         return node if text == node.text else ScalarNode(node.place, text, "quoted")
 
     def _said_twice(self, text: str) -> str:

@@ -135,7 +135,7 @@ def test_the_values_of_a_flow_mapping_may_hold_commas():
         ("number", sp.Symbol("a")), ("complex", [sp.Symbol("a")]), ("polynomial", sp.Symbol("s") ** 2 + sp.Symbol("s")),
         ("list", [sp.Symbol("a"), sp.Symbol("b")]), ("function", sp.Symbol("t")),
         ("step", sp.Heaviside(sp.Symbol("t"))),
-        ("transfer", sp.Symbol("s")), ("matrix", sp.ones(2)), ("row", sp.ones(1, 2)), ("trivial", sp.ones(2)),
+        ("transfer", 1 / sp.Symbol("s")), ("matrix", sp.ones(2)), ("row", sp.ones(1, 2)), ("trivial", sp.ones(2)),
     ],
 )  # fmt: skip
 def test_what_the_page_for_students_shows_is_read(kind, ours):

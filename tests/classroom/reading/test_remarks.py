@@ -1,11 +1,10 @@
-"""What stands beside a value: other quantities there, regions of convergence, constants told behind a formula."""
+"""What stands beside a value: other quantities there, regions of convergence."""
 
 import pytest
 
 from solver.classroom.reading.control_laws import coefficients_of
 from solver.classroom.reading.remarks import (
     behind_equation,
-    with_constants,
     without_region,
     without_remarks,
     without_transformed,
@@ -36,21 +35,6 @@ def test_what_is_transformed_is_left_out_where_the_transform_is_asked_for():
     assert without_transformed("L{f(t)} = 1/s", "F") == "1/s"
     assert without_transformed("L^-1{F(s)} = 1", "f") == "1"
     assert without_transformed("L^-1{F(s)} = 1", "F") == "L^-1{F(s)} = 1"
-
-
-@pytest.mark.parametrize(
-    ("text", "found"),
-    [
-        ("A/(s+1) + B/s, A = 2, B = -1", "(2)/(s+1) + (-1)/s"),
-        ("C1 e^-t with C1 = 5", "(5) e^-t"),
-        ("A/s, B = 2", ""),
-        ("K/s, K = 2", ""),
-        ("1/s", ""),
-        ("", ""),
-    ],
-)
-def test_constants_behind_a_formula_are_put_in(text, found):
-    assert with_constants(text, ["K", "s", "t"]) == found
 
 
 def test_an_equation_before_its_roots_is_left_out():
