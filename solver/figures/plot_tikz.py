@@ -49,7 +49,9 @@ def _axis(plot: DrawnPlot, place: list[str], *, named: bool = True) -> str:
         f"xlabel={{{f'${plot.x_label}$' if named else ''}}}, ylabel={{{f'${plot.y_label}$' if plot.y_label else ''}}}",
         *place,
         "axis lines=left, grid=major, grid style={black!12}",
-        "legend style={draw=none, fill=none, at={(0.5,-0.17)}, anchor=north}" if signs
+        "legend cell align=left",
+        # Below the label of the abscissa, however low the axes are.
+        "legend style={draw=none, fill=none, at={(xticklabel cs:0.5,1.7em)}, anchor=north}" if signs
         else "legend pos=south west, legend style={draw=none, fill=none}" if plot.logarithmic
         else "legend pos=outer north east, legend style={draw=none, fill=none}",
         "scaled ticks=false, tick label style={/pgf/number format/fixed}",

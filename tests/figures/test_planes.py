@@ -125,6 +125,8 @@ def test_each_set_has_a_sign_and_a_colour_of_its_own_on_the_screen_and_on_paper(
         ("curve0", "x"), ("curve1", "o"), ("curve2", "square"), ("curve3", "diamond")
     ]  # fmt: skip
     assert re.findall(r"\\addlegendentry\{\$\\text\{(\w+)\}\$\}", paper) == ["cross", "ring", "square", "diamond"]
+    assert "at={(xticklabel cs:0.5," in paper  # below the label of the abscissa, wherever that is
+    assert "legend cell align=left" in paper
     screen = figures.svg(drawing_of(Plane("", sets)))
     assert all(f"stroke: {colour}" in screen for colour in COLOURS[:4])
 
