@@ -140,6 +140,8 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
         click.echo(f"question {number}: {whose}, as variants.csv tells", err=True)
     if "pdf" in order.formats and (named := _without_glyphs(exam, order.presentation.pdf_engine)):
         click.echo(f"the fonts of the PDFs lack letters of {named}; they are named there, and HTML has them", err=True)
+    if named := _in_words(exam, order.formats, engine):
+        click.echo(f"TeX draws no SVG: it has words in the place of {named}; HTML and typst show it", err=True)
     click.echo(f"wrote papers, keys ({', '.join(order.formats)}), answer files and variants.csv to {order.folder}")
     return code
 
@@ -153,6 +155,15 @@ def _without_glyphs(exam: Exam, wanted: str | None) -> str:
     """Return the students whose names a PDF cannot show as they are written."""
     lacking = [each for each in exam.students if not pdf.shows(each, wanted)]
     return ", ".join(lacking[:5]) + (f" and {len(lacking) - 5} more" if lacking[5:] else "")
+
+
+def _in_words(exam: Exam, formats: Sequence[str], engine: str) -> str:
+    """Return the pictures that papers by TeX have in words only."""
+    if "latex" not in formats and engine != pdf.TEX:
+        return ""
+    drawings = [(question.number, address) for question in exam.questions
+                for address, image in question.problem.images.items() if image.is_drawing]  # fmt: skip
+    return ", ".join(f"{address} (question {number})" for number, address in drawings)
 
 
 def _write_all(order: Order, contents: Mapping[str, bytes]) -> None:

@@ -33,6 +33,11 @@ class Image:
     content: bytes
 
     @property
+    def is_drawing(self) -> bool:
+        """Whether it is an SVG, which TeX cannot include."""
+        return self.media_type == KINDS[".svg"]
+
+    @property
     def file_name(self) -> str:
         """A name for a file of its own, the same for the same image."""
         suffix = {"image/png": ".png", "image/jpeg": ".jpg"}.get(self.media_type, ".svg")

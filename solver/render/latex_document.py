@@ -85,7 +85,7 @@ def files_beside(document: Document) -> dict[str, bytes]:
 
 def _bitmaps(images: Mapping[str, Image]) -> list[tuple[str, Image]]:
     """Return the images that TeX can include, by their addresses as the macro `givenimage` has them."""
-    found = ((address, image) for address, image in images.items() if image.file_name.endswith((".png", ".jpg")))
+    found = ((address, image) for address, image in images.items() if not image.is_drawing)
     return [(picture_name(address), image) for address, image in found]
 
 

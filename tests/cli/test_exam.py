@@ -276,6 +276,19 @@ def test_without_an_engine_the_message_says_how_to_print(solve, exam, monkeypatc
     assert not written(tmp_path / "build")
 
 
+@pytest.mark.parametrize(("formats", "said"), [("latex,html", True), ("html", False)])
+def test_a_picture_that_tex_cannot_draw_is_told(solve, tmp_path, formats, said):
+    (tmp_path / "cart.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>', "utf-8")
+    (tmp_path / "cart.yaml").write_text(
+        'statement: "![a cart](cart.svg)"\nsystem: {A: [[0, 1], [-2, -3]]}\nfind: {a: stability}\n', "utf-8"
+    )
+    (tmp_path / "exam.yaml").write_text("exam: Cart\nquestions:\n  - problem: cart.yaml\n", "utf-8")
+    done = solve("exam", "exam.yaml", "-o", "build", "-f", formats, "--jobs", 1)
+    assert done.code == 0, done.err
+    told = "TeX draws no SVG: it has words in the place of cart.svg (question 1); HTML and typst show it"
+    assert (told in done.err) is said
+
+
 @pytest.mark.usefixtures("typst")
 def test_pdfs_are_written_by_the_engine_that_is_named(solve, tmp_path):
     text = EXAM.replace("problem: family", "problem: step").replace("count: 2", "students: class.csv")
