@@ -109,8 +109,8 @@ def _code(token: Token, _tokens: Sequence[Token], _index: int) -> str:
 
 
 def _block(token: Token, _tokens: Sequence[Token], _index: int) -> str:
-    lines = token.content.rstrip("\n").split("\n")
-    body = "\\\\\n".join(rf"\texttt{{{escaped(line).replace(' ', '~')}}}" for line in lines)
+    lines = (escaped(line).replace(" ", "~") for line in token.content.rstrip("\n").split("\n"))
+    body = "\\\\\n".join(rf"\texttt{{\null {line}}}" for line in lines)  # without \null a line loses its indent
     return f"\\begin{{quote}}\n{body}\n\\end{{quote}}\n\n"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 
 from solver.formula import GREEK_LETTERS
@@ -46,11 +47,14 @@ _WITHOUT_GLYPH = frozenset("\u00ad¸ĦħĸĿŀŉŦŧſ")
 """Letters up to U+017F that the encodings T1 and TS1 of TeX lack."""
 _PUNCTUATION = frozenset("–—‘’“”‚„†‡•…‰‹›€™")
 
+_JOINED = re.compile(r"""-(?=-)|,(?=,)|`(?=`)|'(?=')|[?!](?=`)""")
+"""What the fonts would join with the sign after it: to a dash, a quotation mark, or one upside down."""
+
 
 def escaped(text: str) -> str:
     """Return text that TeX prints as it stands; a character that its fonts lack is replaced by its name."""
     shown = "".join(_standing(level, letters) for level, letters in levels(text))
-    return shown.replace("--", "-{}-")  # not a dash
+    return _JOINED.sub(r"\g<0>{}", shown)
 
 
 def shows(text: str) -> bool:

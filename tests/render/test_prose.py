@@ -66,6 +66,12 @@ def test_markdown_becomes_latex():
     assert r"\begin{tabular}{lr}" in latex
 
 
+def test_lines_of_code_keep_their_indent_in_latex():
+    assert to_latex("```\nif x:\n    y\n```") == (
+        "\\begin{quote}\n\\texttt{\\null if~x:}\\\\\n\\texttt{\\null ~~~~y}\n\\end{quote}"
+    )
+
+
 def test_a_formula_is_displayed_in_the_paragraph_that_leads_to_it():
     latex = to_latex("So\n\n$$\nA = 1\n$$\n\nand\n\nthen\n\n$$\nB = 2\n$$\n")
     assert latex == "So\n\\display{A = 1}\nand\n\nthen\n\\display{B = 2}"
@@ -168,6 +174,11 @@ def test_names_keep_their_accents_and_other_scripts_are_named():
     assert escaped("λ ≤ 5 %") == r"\ensuremath{\lambda} \ensuremath{\le} 5 \%"
     assert escaped("\u4e2d") == "[cjk unified ideograph-4e2d]"
     assert escaped("Mª, Nº 1, ™") == "Mª, Nº 1, ™"
+
+
+def test_no_font_joins_signs_to_others():
+    assert escaped("a -- b --- c") == "a -{}- b -{}-{}- c"
+    assert escaped("y'' + 3y' = 1, ,,ja``, ?`") == "y'{}' + 3y' = 1, ,{},ja`{}`, ?{}`"
 
 
 def test_what_stands_above_or_below_the_line_does_not_fall_to_it():

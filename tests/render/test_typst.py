@@ -16,6 +16,7 @@ from solver.formula import read
 from solver.formula.typst import typst
 from solver.render import pdf
 from solver.render.prose_typst import inline_typst, to_typst
+from solver.render.tex_text import escaped
 from solver.render.typst_document import files_beside, typst_document
 from solver.render.typst_text import heard, quoted, shows
 from tests.document.test_images import PNG, SVG
@@ -134,6 +135,13 @@ def test_texts_are_strings_and_formulas_that_are_none_are_texts():
     )
     assert quoted("ﬁ\tx中\x07é") == '"fi x[cjk unified ideograph-4e2d]é"'
     assert quoted("2e⁻ˢ, Aᵀ, x² + xₖ₊₁, Mª") == '"2e^(−s), A^T, x² + x_(k+1), Mª"'
+
+
+def test_signs_that_tex_keeps_apart_are_kept_apart():
+    document = Document("", "", "", "", (), name="")
+    (joined,) = re.findall(r'#show regex\("(.*)"\): set text\(ligatures: false\)', typst_document(document))
+    signs = [one + other for one in "-,`'?!.a" for other in "-,`'?!.a"]
+    assert [each for each in signs if re.fullmatch(joined, each)] == [each for each in signs if "{}" in escaped(each)]
 
 
 @pytest.mark.usefixtures("typst")
