@@ -6,8 +6,7 @@ with what was found here.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from contextlib import suppress
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from hashlib import sha256
 from typing import Any
@@ -92,9 +91,9 @@ def judged(text: str, name: str, required: Iterable[Required], nice: Iterable[Ni
                 return Rejection(f"part {part.id} cannot be asked: {refused[0][1]}", own=True)
     except InputError as error:
         return Rejection(f"the question cannot be asked: {error.diagnostics[0].message}", own=True)
-    for word in required:
-        if word.chain is None and not all(_is(system, word.text) for system in systems_of(problem)):
-            return Rejection(word.text)
+    words = [each.text for each in required if each.chain is None]
+    if rejected := _rejected_by_words(words, systems_of(problem), messages):
+        return rejected
     found: dict[tuple[str, str], Finding] = {}
     return _rejected_by_answers(problem, nice, found) or Judged(problem, found)
 
@@ -105,17 +104,26 @@ def systems_of(problem: Problem) -> list[System]:
     return [problem.system] if problem.system else [each for each in own if not isinstance(each, EarlierPart)]
 
 
+def _rejected_by_words(words: Iterable[str], systems: Sequence[System], messages: Messages) -> Rejection | None:
+    """Return which word is not right of a system, or why that cannot be told."""
+    for word in words:
+        try:
+            if not all(_is(system, word) for system in systems):
+                return Rejection(word)
+        except (Unsolved, exact.NotExact) as refusal:
+            reason = messages.reason(refusal.reason).rstrip(".")
+            return Rejection(f"it cannot be told whether it is {word}: {reason}", own=True)
+    return None
+
+
 def _is(system: System, word: str) -> bool:
-    """Whether a word is right of a system; False where that is not decided."""
+    """Whether a word is right of a system. Raises Unsolved, NotExact where that cannot be told."""
     if system is NOTHING:
         return True
     for name, answer, expected in MEANINGS[word]:
         task = catalogue()[name]
         part = Part("", name, tuple(task.methods_for(discrete=system.discrete)[:1]), system)
-        found: Any = None
-        with suppress(Unsolved, exact.NotExact):
-            found = found_by(part.methods[0], part, {})[1].get(answer)
-        if found is None or str(found) != str(expected):
+        if str(found_by(part.methods[0], part, {})[1].get(answer)) != str(expected):
             return False
     return True
 
@@ -130,7 +138,9 @@ def _rejected_by_answers(
             value = answers_of(each.part, problem, known, found).get(each.answer)
         except (Unsolved, exact.NotExact):
             return Rejection(f"part {each.part} has no solution", own=True)
-        if value is None or not is_nice(value, each.kind):
+        if value is None:
+            return Rejection(f"part {each.part} has no {each.answer}", own=True)
+        if not is_nice(value, each.kind):
             return Rejection(each.text)
     return None
 

@@ -27,8 +27,9 @@ def shortage(search: Search, source: Source, count: int) -> InputError:
     if search.rejections:
         why, most = search.rejections.most_common(1)[0]
         place = _place(search, why)
-        cause = f"since {why.why}" if why.own else f"by '{why.why}', more than by anything else"
-        message += f", and {most} were rejected {cause}"
+        others = ", more than by anything else" if len(search.rejections) > 1 else ""
+        cause = f": {why.why}" if why.own else f" by '{why.why}'{others}"
+        message += f", and {most} {'was' if most == 1 else 'were'} rejected{cause}"
     if not search.is_exhausted:
         note = "--draws N makes more of them"
     elif search.found < count:

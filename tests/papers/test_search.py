@@ -116,6 +116,23 @@ def test_words_about_the_system(search_of, word, holds):
 
 
 @pytest.mark.parametrize(
+    ("asked", "why"),
+    [
+        ("require: [observable]\nfind: {f: stability}",
+         "it cannot be told whether it is observable: The question needs C; the system has only A and B"),
+        ("nice: {f.fixed_poles: integers}\nfind: {f: {task: pole_placement, poles: [-1, -2]}}",
+         "part f has no fixed_poles"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_told_of_a_draw_is_no_word_that_is_wrong(search_of, asked, why):
+    search = search_of("parameters: {a: 2}\nvary: {a: {from: 1, to: 2}}\n"
+                       f"system: {{A: [[0, 1], [a, 0]], B: [0, 1]}}\n{asked}\n")  # fmt: skip
+    assert drawn(search) == []
+    assert search.rejections == {Rejection(why, own=True): 2}
+    assert f"all 2 choices were drawn, and 2 were rejected: {why}" in shortage(search, search.source, 1).render()
+
+
+@pytest.mark.parametrize(
     ("written", "members"),
     [
         ("a b = 6", {(2, 3), (3, 2)}),
