@@ -1,9 +1,11 @@
 """Sums put together without sympy's rewriting are those of its own arithmetic, down to the order of their terms."""
 
+import pytest
 import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
+from solver.exact import factored, resolvent
 from solver.exact.linear_algebra.assembly import linear_combination, product_of_powers
 from tests.helpers.tried import tried
 
@@ -34,3 +36,25 @@ def test_products_of_powers(number, factors):
     expected = sp.Mul(number, *factors)
     found = product_of_powers(number, factors)
     assert (found, found.args) == (expected, expected.args)
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [[0, 1, 0], [0, 0, 1], [-6, -11, -6]],
+        [[2, 0, 1], [0, 2, 0], [0, 0, 0]],
+        [[sp.Rational(1, 2), 1], [0, sp.Rational(-1, 3)]],
+        [[0, 1], [-2, -2]],
+        [[0, 1, 0, 0], [0, 0, 0, 0], [0, 0, -1, 3], [0, 0, 0, -1]],
+    ],
+)
+def test_fractions_of_the_resolvent_and_its_denominator(rows):
+    A, x = sp.ImmutableMatrix(rows), sp.Symbol("s")
+    _, listed = sp.Poly(A.charpoly(x).as_expr(), x, domain=sp.QQ).factor_list()
+    whole = sp.Mul(*(p.monic().as_expr() ** m for p, m in listed))
+    assert (factored(A, x), factored(A, x).args) == (whole, whole.args)
+    inverse = (x * sp.eye(A.rows) - A).inv()
+    for found, expected in zip(resolvent(A, x), inverse, strict=True):
+        anew = found.func(*found.args) if found.args else found
+        assert (found, found.args) == (anew, anew.args)
+        assert sp.cancel(found - expected) == 0

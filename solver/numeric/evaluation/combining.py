@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -10,15 +11,29 @@ from solver.numeric.evaluation.arithmetic import Arithmetic
 from solver.numeric.evaluation.values import ShapeMismatch, Value, shape_of
 from solver.words import Phrase
 
+MOST_WAITING = 50
+"""The magnitude of so many values may wait for each other: each waits within a call of the one before."""
+
+
+def joined(join: Callable[[Value, Value], Value], values: Iterable[Value]) -> Value:
+    """Return what values, at least one, are joined to from left to right."""
+    result, *others = values
+    for i, other in enumerate(others, 1):
+        result = join(result, other)
+        if i % MOST_WAITING == 0:
+            result = result.known()
+    return result
+
 
 def multiply(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
     """Return the product of matrices, or of a scalar and anything."""
     if left.is_matrix and right.is_matrix:
         if left.value.shape[2] != right.value.shape[1]:
             raise _misfit("a product of matrices {left} and {right}", left, right)
-        combined = np.matmul
+        combined: Any = np.matmul
     else:
-        (left, right), combined = aligned(left, right), np.multiply
+        left, right = aligned(left, right)
+        combined = np.multiply
 
     def magnitude() -> Any:
         size = arithmetic.size

@@ -16,7 +16,7 @@ from sympy.matrices.matrixbase import MatrixBase
 
 from solver.matrices import entries
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
-from solver.numeric.evaluation.combining import add, multiply
+from solver.numeric.evaluation.combining import add, joined, multiply
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.linear_terms import linear_terms
 from solver.numeric.evaluation.points import free_symbols
@@ -103,7 +103,7 @@ def combined(environment: Environment, image: Any, variable: Any, transform: Cal
         factors = (*(walk(each, environment) for each in term.left), transform(term.core))
         factors = (*factors, *(walk(each, environment) for each in term.right))
         parts.append(reduce(partial(multiply, arithmetic=environment.arithmetic), factors))
-    return reduce(add, parts)
+    return joined(add, parts)
 
 
 def columns(circle: Circle, arithmetic: Arithmetic) -> tuple[Array, Array]:

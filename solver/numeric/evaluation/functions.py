@@ -161,7 +161,8 @@ def _falling_power(x: Value, n: Any, environment: Environment, direction: int = 
         raise NotEvaluable("a factorial power is evaluated for a whole number of factors only")
     result = exactly(environment.arithmetic.number(1), environment.arithmetic)
     for i in range(int(n)):
-        result = times(Value(x.value + direction * i, x.magnitude + i), result, environment.arithmetic)
+        factor = Value(x.value + direction * i, x.magnitude + i)
+        result = times(factor, result, environment.arithmetic).known()
     return result
 
 

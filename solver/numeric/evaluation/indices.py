@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import reduce
 from typing import Any
 
 import numpy as np
 
+from solver.numeric.evaluation.combining import joined
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import Undefined, Value
 from solver.numeric.evaluation.walk import walk
@@ -55,6 +55,6 @@ def accumulated(
     """Return the operand at i = lower … upper, joined from left to right."""
 
     def at(here: Environment, lower: int, upper: int) -> Value:
-        return reduce(join, (walk(operand, here.having({index: i})) for i in range(lower, upper + 1)))
+        return joined(join, (walk(operand, here.having({index: i})) for i in range(lower, upper + 1)))
 
     return at_each_point(environment, limits, at)

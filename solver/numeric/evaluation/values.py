@@ -65,6 +65,10 @@ class Value:
             self._magnitude = self._magnitude()
         return self._magnitude
 
+    def known(self) -> Value:
+        """Return the value itself, with its magnitude found."""
+        return Value(self.value, self.magnitude)
+
     def __iter__(self) -> Iterator[Any]:
         yield self.value
         yield self.magnitude

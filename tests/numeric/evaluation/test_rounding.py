@@ -14,6 +14,7 @@ from solver.numeric.evaluation.points import PointSource, free_symbols, whole_sy
 from solver.numeric.evaluation.precision import is_sampled
 from solver.numeric.evaluation.values import SAFETY, Undefined, Value
 from solver.stated import Stated
+from solver.stated.algebra import product, total
 from tests.stated.test_every_operation import RIGHT, name_of
 
 a, b = sp.symbols("a b")
@@ -127,3 +128,41 @@ def test_equal_values_agree_whatever_is_known_of_their_rounding(arithmetic):
     assert settled.all()
     unequal, _ = residuals(left, Value(arithmetic.number(3), 3.0), 1, arithmetic)
     assert not unequal[0, 0] <= 1e-10
+
+
+@pytest.mark.parametrize("arithmetic", [DOUBLE, multiple(30)])
+def test_what_rounding_explains_is_asked_for_where_values_do_not_clearly_agree(arithmetic):
+    asked = []
+
+    def value(number):
+        return Value(arithmetic.number(number), lambda: asked.append(number) or 1.0)
+
+    residuals(value(2.0), value(2.0), 1, arithmetic, 1e-10)
+    assert not asked
+    near, settled = residuals(value(2.0), value(2.0 + 1e-10), 1, arithmetic, 1e-10)
+    assert asked
+    assert settled.all()
+    assert 1e-11 < near[0, 0] < 1e-10
+    _, settled = residuals(value(2.0), value(2.0 + 1e-9), 1, arithmetic, 1e-10)
+    assert not settled.any()
+
+
+@pytest.mark.parametrize(("left", "right"), [(np.inf, 2.0), (-np.inf, np.inf), (2.0, np.inf), (np.nan, 2.0)])
+def test_infinity_is_near_to_no_other_number(left, right):
+    many = multiple(30)
+    with np.errstate(all="ignore"):
+        residual, _ = residuals(*(Value(many.number(each), 1.0) for each in (left, right)), 1, many, 1e-20)
+        same, settled = residuals(*(Value(many.number(np.inf), 1.0) for _ in range(2)), 1, many, 1e-20)
+    assert not residual[0, 0] <= 1e-20
+    assert same[0, 0] == 0
+    assert settled.all()
+
+
+def test_the_rounding_of_very_many_terms_is_known():
+    """Of as many as would wait for each other's magnitudes beyond what Python can call within itself."""
+    terms = [sp.Symbol("a") + i for i in range(600)]
+    environment = Environment.at([{sp.Symbol("a"): 0.5}])
+    found = value_of(total(*terms), environment)
+    assert np.ravel(found.magnitude)[0] == pytest.approx(sum(0.5 + i for i in range(600)))
+    factors = value_of(product(*(1 + term / 10**6 for term in terms)), environment)
+    assert np.isfinite(factors.magnitude).all()

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from functools import reduce
 from typing import Any
 
-from solver.numeric.evaluation.combining import add, multiply
+from solver.numeric.evaluation.combining import add, joined, multiply
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.indices import at_each_point
 from solver.numeric.evaluation.stated import Oracle
@@ -22,6 +21,6 @@ def evaluate(environment: Environment, left: Any, right: Any, step: Any) -> Valu
     def at(here: Environment, k: int) -> Value:
         pairs = ((here.having({step: i}), here.having({step: k - i})) for i in range(k + 1))
         products = (multiply(walk(left, one), walk(right, other), here.arithmetic) for one, other in pairs)
-        return reduce(add, products)
+        return joined(add, products)
 
     return at_each_point(environment, (0, step), lambda here, _, k: at(here, k))

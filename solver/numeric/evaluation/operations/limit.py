@@ -44,8 +44,8 @@ def evaluate(environment: Environment, function: Any, variable: Any, value: Any,
     halvings = START / 2.0 ** np.arange(STEPS_OF_EXPONENTIALS if exponentials else STEPS)
     found = []
     for samples in _approaches(here, value, side, halvings):
-        f = walk(function, here.spread(variable, samples))
-        found.append(_settled(*gathered(f, here.points, len(halvings)), fine))
+        f = gathered(walk(function, here.spread(variable, samples)), here.points, len(halvings))
+        found.append(_settled(f.value, f.magnitude, fine))
     limit, error = reduce(lambda one, other: _common(one, other, fine), found)
     rounded = arithmetic.array(limit) if isinstance(arithmetic, Multiple) else fine.approximate(limit)
     size = arithmetic.size(rounded)

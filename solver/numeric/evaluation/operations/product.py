@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.combining import multiply
+from solver.numeric.evaluation.combining import joined, multiply
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.poles import poles_of_operands, zeros_of
 from solver.numeric.evaluation.values import Value
@@ -22,10 +23,8 @@ def evaluate(environment: Environment, *factors: Any) -> Value:
     if not factors:
         return Value(arithmetic.number(1), 1.0)
     first, *others = (walk(factor, environment) for factor in factors)
-    result = Value(first.value, lambda: first.magnitude + arithmetic.size(first.value))
-    for other in others:
-        result = multiply(result, other, arithmetic)
-    return result
+    first_factor = Value(first.value, lambda: first.magnitude + arithmetic.size(first.value))
+    return joined(partial(multiply, arithmetic=arithmetic), (first_factor, *others))
 
 
 poles = poles_of_operands

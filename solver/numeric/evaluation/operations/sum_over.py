@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from functools import reduce
 from typing import Any
 
-from solver.numeric.evaluation.combining import add
+from solver.numeric.evaluation.combining import add, joined
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.operations import value_at
 from solver.numeric.evaluation.values import Undefined, Value
@@ -15,4 +14,4 @@ def evaluate(environment: Environment, term: Any, variable: Any, values: tuple[A
     """T at each value, added up in the order written."""
     if not values:
         raise Undefined("a sum over nothing")
-    return reduce(add, (value_at.evaluate(environment, term, variable, value) for value in values))
+    return joined(add, (value_at.evaluate(environment, term, variable, value) for value in values))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ import sympy as sp
 from mpmath.libmp.libhyper import NoConvergence
 
 from solver.numeric.evaluation.arithmetic import Array, multiple
-from solver.numeric.evaluation.combining import add
+from solver.numeric.evaluation.combining import add, joined
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.stated import Oracle
 from solver.numeric.evaluation.values import NotEvaluable, Undefined, Value
@@ -36,7 +35,7 @@ def evaluate(environment: Environment, term: Any, variable: Any, polynomial: Any
             found.append(Value(here.value * multiplicity, (here.magnitude + unsure) * multiplicity))
     if not found:
         raise Undefined("a polynomial without roots")
-    return reduce(add, found)
+    return joined(add, found)
 
 
 def _roots(environment: Environment, coefficients: list[Any]) -> tuple[Array, Array]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from solver.numeric.evaluation.combining import add
+from solver.numeric.evaluation.combining import add, joined
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.poles import poles_of_operands
 from solver.numeric.evaluation.values import Value
@@ -15,11 +15,9 @@ ENTRYWISE = True
 
 def evaluate(environment: Environment, *terms: Any) -> Value:
     """T₁ + T₂ + …; a matrix 1×1 and a scalar may be added."""
-    result = Value(environment.arithmetic.number(0), 0.0)
-    for i, term in enumerate(terms):
-        part = walk(term, environment)
-        result = add(result, part) if i else part
-    return result
+    if not terms:
+        return Value(environment.arithmetic.number(0), 0.0)
+    return joined(add, (walk(term, environment) for term in terms))
 
 
 poles = poles_of_operands
