@@ -111,6 +111,8 @@ def residues_at(
 def _weights(count: int, chi: Sequence[Any], factor: Factor) -> list[list[Algebraic]]:
     """For l = 0 … m − 1 and i < count: the coefficient of (x − λ)ˡ in xⁱ(x − λ)^m/χ(x), an element of L."""
     m, p = factor.multiplicity, factor.modulus
+    if m == p.degree == 1:
+        return [_weights_at_a_simple_root(count, chi, p)]
     h = _reciprocal([Algebraic(p.reduce(_taylor_coefficients(chi, m + i, p.domain)), p) for i in range(m)])
     powers = [Algebraic([p.domain.one, *[p.domain.zero] * (p.degree - 1)], p)]
     for _ in range(count - 1):
@@ -119,6 +121,17 @@ def _weights(count: int, chi: Sequence[Any], factor: Factor) -> list[list[Algebr
         [_total([powers[i - a] * h[level - a] * comb(i, a) for a in range(min(i, level) + 1)]) for i in range(count)]
         for level in range(m)
     ]
+
+
+def _weights_at_a_simple_root(count: int, chi: Sequence[Any], p: Modulus) -> list[Algebraic]:
+    """λⁱ/χ′(λ) for i < count, p = x − λ."""
+    root, slope = -p.low[0], p.domain.zero
+    for j in range(len(chi) - 1, 0, -1):
+        slope = slope * root + chi[j] * j
+    weights = [p.domain.one / slope]
+    for _ in range(count - 1):
+        weights.append(weights[-1] * root)
+    return [Algebraic((weight,), p) for weight in weights]
 
 
 def _total(terms: list[Algebraic]) -> Algebraic:
