@@ -22,11 +22,11 @@ from solver.exact.functions.residues import (
     resolvent_residues,
 )
 from solver.exact.linear_algebra.assembly import linear_combination
+from solver.exact.linear_algebra.constants import common_factors_below
 from solver.exact.linear_algebra.fields import (
     Algebraic,
     NotExact,
     collected,
-    common_factors_below,
     expressions,
     in_sines,
 )

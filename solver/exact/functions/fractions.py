@@ -16,10 +16,10 @@ from solver.exact.functions.residues import (
     reduce_modulo,
 )
 from solver.exact.linear_algebra.biquadratic import tidied
+from solver.exact.linear_algebra.constants import common_factors_below
 from solver.exact.linear_algebra.fields import (
     Algebraic,
     Modulus,
-    common_factors_below,
     expressions,
     matrix_of,
 )

@@ -8,7 +8,7 @@ such products of different functions, only need their arguments in sympy's order
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cmp_to_key
+from functools import cmp_to_key, lru_cache
 from typing import Any
 
 import sympy as sp
@@ -28,6 +28,12 @@ def linear_combination(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> sp.Expr:
         else:
             return sp.Add(number, *products, *_multiplied_out(coefficient, function), *_rest(terms))
     return _sum(number, products)
+
+
+@lru_cache(maxsize=64)
+def powers(x: sp.Symbol, count: int) -> tuple[sp.Expr, ...]:
+    """So many powers of x, the highest first."""
+    return tuple(x**k for k in reversed(range(count)))
 
 
 def product_of_powers(number: sp.Expr, factors: Iterable[sp.Expr]) -> sp.Expr:

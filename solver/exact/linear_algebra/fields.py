@@ -15,10 +15,10 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from solver.exact.linear_algebra.assembly import linear_combination
+from solver.exact.linear_algebra.assembly import linear_combination, powers
 from solver.exact.linear_algebra.constants import constant_form, number_multiplied_in
 from solver.exact.linear_algebra.generators import dependent_exponentials, generators_in, half_angles
-from solver.exact.linear_algebra.integers import are_rational
+from solver.exact.linear_algebra.integers import are_rational, over_rationals
 from solver.exact.linear_algebra.signs import is_not_zero
 from solver.matrices import entries
 from solver.words import Told
@@ -37,9 +37,8 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     Entries must be real, where it is not said that they need not. Sines and cosines of an angle θ are written as
     rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K; a root √a is a generator whose square is a.
     """
-    if are_rational(each := entries(M)):
-        flat = [sp.QQ(int(x.p), int(x.q)) for x in each]
-        return DomainMatrix([flat[i * M.cols : (i + 1) * M.cols] for i in range(M.rows)], M.shape, sp.QQ)
+    if are_rational(flat := entries(M)):
+        return over_rationals(flat, M.shape)
     if real and M.has(sp.I):
         raise NotExact("linear_algebra/not_real")
     try:
@@ -124,8 +123,8 @@ def expression(K: Any, element: Element) -> sp.Expr:
 
 def in_powers(coefficients: Sequence[Any], K: Any, x: sp.Symbol) -> sp.Expr:
     """The polynomial with these coefficients in K, the highest power first, as an expression in x."""
-    degree = len(coefficients) - 1
-    terms = [(expression(K, c), x ** (degree - i)) for i, c in enumerate(coefficients) if c]
+    of_x = powers(x, len(coefficients))
+    terms = [(expression(K, c), power) for c, power in zip(coefficients, of_x, strict=True) if c]
     return linear_combination(terms) if K.is_QQ else sp.Add(*(c * power for c, power in terms))
 
 
@@ -134,14 +133,6 @@ def whole_angles(found: sp.Expr) -> sp.Expr:
     for tangent in found.atoms(sp.tan):
         found = _whole_angle(found, tangent)
     return found
-
-
-def common_factors_below(value: sp.Expr) -> sp.Expr:
-    """The value with 1/(a − 1)² in place of 1/(a² − 2a + 1), and a (a − 2) above it."""
-    if value.is_Rational:
-        return value
-    above, below = sp.fraction(value)
-    return sp.factor(above) / sp.factor(below) if below.is_Add and below.free_symbols else value
 
 
 def expressions(matrix: DomainMatrix) -> list[sp.Expr]:

@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 from sympy import QQ
+from sympy.polys.matrices import DomainMatrix
 
 Integers = list[int]
 
@@ -19,6 +20,13 @@ _is_rational = attrgetter("is_Rational")
 def are_rational(entries: Sequence[sp.Expr]) -> bool:
     """Whether all entries are rational numbers."""
     return all(map(_is_rational, entries))
+
+
+def over_rationals(flat: Sequence[sp.Rational], shape: tuple[int, int]) -> DomainMatrix:
+    """Return the matrix over QQ with these entries, row by row."""
+    rows, columns = shape
+    entries = [QQ(int(x.p), int(x.q)) for x in flat]
+    return DomainMatrix([entries[i * columns : (i + 1) * columns] for i in range(rows)], shape, QQ)
 
 
 def common_denominator(numbers: Sequence[sp.Rational]) -> int:

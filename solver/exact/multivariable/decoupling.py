@@ -15,7 +15,8 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.affine import tidy
-from solver.exact.linear_algebra.fields import common_factors_below, domain_matrix, matrix_of
+from solver.exact.linear_algebra.constants import common_factors_below
+from solver.exact.linear_algebra.fields import domain_matrix, matrix_of
 from solver.exact.linear_algebra.matrices import determinant, inverse, multiply
 from solver.exact.structure.rank_conditions import rank_conditions
 from solver.exact.structure.ranks import null_basis
