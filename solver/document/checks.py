@@ -71,13 +71,8 @@ def _short(number: float | None) -> str:
     return "" if number is None else NumberFormat("decimal", 2).decimal(number)
 
 
-def worded_check(check: Check, say: Say) -> Check:
-    """Return a check as a document has it: in the words of its language."""
-    return replace(plain_check(check), claim=say(check.claim), oracle=say(check.oracle), reason=say(check.reason))
-
-
-def plain_check(check: Check) -> Check:
-    """Return a check whose numbers and texts are Python's own."""
+def plain_check(check: Check, say: Say = str) -> Check:
+    """Return a check as a document has it, in the words of its language; its numbers and texts are Python's own."""
     residual, tolerance = (None if each is None else float(each) for each in (check.residual, check.tolerance))
-    claim, oracle, reason = (str(text) for text in (check.claim, check.oracle, check.reason))
+    claim, oracle, reason = map(say, (check.claim, check.oracle, check.reason))
     return replace(check, claim=claim, oracle=oracle, residual=residual, tolerance=tolerance, reason=reason, sides=None)

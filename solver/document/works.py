@@ -14,7 +14,7 @@ import sympy as sp
 from solver.derivation import Answers, PartResult, Status, Step, Unsolved
 from solver.derivation.figures import Drawing, Figure
 from solver.displayed import judged
-from solver.document.checks import Say, check_rows, unchecked, worded_check
+from solver.document.checks import Say, check_rows, plain_check, unchecked
 from solver.document.compact import compact
 from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
@@ -120,7 +120,7 @@ class Writer:
         worded = () if paper else wording.words(result.steps)
         with suppress(Unsolved):  # where nothing was found that it could go on with, there is no step either
             result = judged(result, resolved(part, earlier or {}), worded, wording)
-        checks = () if paper or key else tuple(worded_check(check, wording.say) for check in result.checks)
+        checks = () if paper or key else tuple(plain_check(check, wording.say) for check in result.checks)
         answers = {} if paper else result.answers
         derived: Mapping[str, str] = {}
         if key:

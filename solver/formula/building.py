@@ -140,16 +140,21 @@ def joined(factors: Sequence[Row]) -> Row:
     for factor in factors:
         if not factor.items:
             continue
-        first = factor.items[0]
-        base = _base_of_power(first)
-        twice = items[-1:] == [base] and (is_atom(factor) if base == first else is_atom(row(base)))
-        indexed = isinstance(first, Root) and first.index is not None
-        if items and (_numbers_meet(items[-1], first) or indexed or twice):
-            items.append(TIMES)
-        elif items and _words_meet(items[-1], first):
-            items.append(THIN_SPACE)
-        items.extend(factor.items)
+        if items:
+            items += _between(items[-1], factor)
+        items += factor.items
     return Row(tuple(items))
+
+
+def _between(left: Node, factor: Row) -> tuple[Node, ...]:
+    """Return what stands between an item and a factor behind it."""
+    first = factor.items[0]
+    base = _base_of_power(first)
+    twice = type(left) is type(base) and left == base and is_atom(factor if base is first else row(base))
+    indexed = isinstance(first, Root) and first.index is not None
+    if _numbers_meet(left, first) or indexed or twice:
+        return (TIMES,)
+    return (THIN_SPACE,) if _words_meet(left, first) else ()
 
 
 def _base_of_power(node: Node) -> Node:

@@ -67,7 +67,7 @@ class LatexWriter(Visitor[str]):
                 kind = _PREFIX
             if before == _COMMA and kind not in _SPACES:
                 written += self.after_comma
-            elif before + kind in _APART or _runs_into(written, piece):
+            elif before + kind in _APART or (piece[:1].isalpha() and _runs_into(written, piece)):
                 written += " "
             written += piece
             before = kind
@@ -138,9 +138,9 @@ _KINDS_OF_SIGNS = {**dict.fromkeys(v.RELATIONS | v.BINARY, _INFIX), ":": _COLON,
 
 def _kind(item: Node) -> str:
     """Return what decides the blanks around an item, as a letter."""
-    if isinstance(item, Operator):
+    if type(item) is Operator:
         return _KINDS_OF_SIGNS.get(item.sign, _OTHER)
-    if isinstance(item, Space):
+    if type(item) is Space:
         return _NARROW if item.command in {r"\,", r"\!"} else _WIDE
     return _KINDS.get(type(item), _OPERAND)
 

@@ -18,7 +18,7 @@ from solver.formula.building import MINUS, as_factor, is_atom, joined, over, pow
 from solver.formula.nodes import Fenced, Number, Operator, Root, Row, Scripts, Symbol
 from solver.render.latex_objects import FUNCTIONS, ObjectPrinter
 from solver.render.numbers import NumberFormat
-from solver.render.order import ordered_terms
+from solver.render.order import is_number, ordered_terms
 from solver.render.programs import program_formula
 from solver.render.symbols import named
 from solver.render.terms import (
@@ -65,7 +65,7 @@ class Printer(ObjectPrinter):
     # Sums, products and powers
 
     def _print_Add(self, expr: Any) -> Row:
-        if expr.is_number:
+        if is_number(expr):
             return self._constant_sum(expr)
         terms = constants_together(list(expr.args))
         if self.numbers.all_decimal:
@@ -152,6 +152,8 @@ class Printer(ObjectPrinter):
         return above + [self._power(*factor) for factor in term.roots], below
 
     def _fraction(self, above: list[Row], below: list[Row]) -> Row:
+        if (digits := _digits_of(above, below)) and not self._inline:
+            return _common(*digits)
         numerator = joined(self._factors(above, len(above))) if above else ONE
         denominator = joined(self._factors(below, len(below)))
         if not self._inline:
@@ -236,6 +238,20 @@ ONE, J = row("1"), row("j")
 def _integer(number: int) -> Row:
     digits = Number(str(abs(number)))
     return Row((MINUS, digits)) if number < 0 else Row((digits,))
+
+
+def _digits_of(above: list[Row], below: list[Row]) -> tuple[str, str] | None:
+    """Return the digits of a number over a number; None where a fraction has anything else in it."""
+    found = [*(above or [ONE]), *below]
+    if len(found) != 2 or any(len(each.items) != 1 or type(each.items[0]) is not Number for each in found):
+        return None
+    first, second = (each.items[0].digits for each in found)
+    return first, second
+
+
+@lru_cache(maxsize=1024)  # as above
+def _common(above: str, below: str) -> Row:
+    return over(Row((Number(above),)), Row((Number(below),)))
 
 
 @lru_cache(maxsize=16)

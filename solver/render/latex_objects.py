@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import lru_cache
+from operator import is_
 from typing import Any
 
 import sympy as sp
@@ -54,14 +56,8 @@ class ObjectPrinter:
     numbers: NumberFormat
 
     def _print(self, expr: Any) -> Row:
-        classes = type(expr).__mro__
-        if AppliedUndef in classes:  # the class of f(t) is called f
-            classes = classes[classes.index(AppliedUndef) :]
-        for each in classes:
-            method = getattr(self, f"_print_{each.__name__}", None)
-            if method is not None:
-                return method(expr)
-        return self._by_sympy(expr)
+        shown: Row = getattr(self, _method_for(type(self), type(expr)))(expr)
+        return shown
 
     @staticmethod
     def _by_sympy(expr: Any) -> Row:
@@ -229,6 +225,16 @@ class ObjectPrinter:
         return self._print_list(sorted(expr.args, key=sp.default_sort_key))
 
 
+@lru_cache(maxsize=512)
+def _method_for(printer: type[ObjectPrinter], kind: type) -> str:
+    """Return the name of the method that prints objects of a class."""
+    classes = kind.__mro__
+    if AppliedUndef in classes:  # the class of f(t) is called f
+        classes = classes[classes.index(AppliedUndef) :]
+    names = (f"_print_{each.__name__}" for each in classes)
+    return next((name for name in names if hasattr(printer, name)), "_by_sympy")
+
+
 COMMA = Operator(",")
 INTEGRAL = Operator(r"\int")
 SIGNS = {sign: Operator(each) for sign, each in [("==", "="), ("!=", r"\ne"), ("<", "<"), ("<=", r"\le"), (">", ">"),
@@ -237,17 +243,21 @@ SIGNS = {sign: Operator(each) for sign, each in [("==", "="), ("!=", r"\ne"), ("
 
 def _readable(entry: Row) -> Row:
     """Return an entry of a matrix; a fraction with letters below the bar is not made small, as TeX would."""
-    return Row(tuple(map(_displayed, entry.items)))
+    items = tuple(map(_displayed, entry.items))
+    return entry if all(map(is_, items, entry.items)) else Row(items)
 
 
 def _displayed(node: Node) -> Node:
+    """Return the node itself where there is no such fraction in it: it is shared."""
     if isinstance(node, Fraction):
         letters = any(isinstance(each, Symbol | Root | Function) for each in walk(node.below))
         return replace(node, command=r"\dfrac") if letters else node
     if isinstance(node, Fenced):
-        return replace(node, body=_readable(node.body))
+        body = _readable(node.body)
+        return node if body is node.body else replace(node, body=body)
     if isinstance(node, Scripts):
-        return replace(node, base=_displayed(node.base))
+        base = _displayed(node.base)
+        return node if base is node.base else replace(node, base=base)
     return node
 
 

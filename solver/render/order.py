@@ -41,9 +41,9 @@ def _ordered(terms: list[Any]) -> list[Any]:
     if polynomial and any(rank.time_degree > 1 for rank, _ in ranks):
         return [term for rank, term in sorted(ranks, key=lambda pair: pair[0].time_degree)]
     ordered = [term for _, term in ranks]
-    if len(ordered) == 2 and any(rank.growth for rank, _ in ranks) and all(term.is_number for term in ordered):
+    if len(ordered) == 2 and any(rank.growth for rank, _ in ranks) and all(map(is_number, ordered)):
         return _positive_first(ordered) if not all(map(is_negative, ordered)) else ordered
-    if not is_negative(ordered[0]) or all(term.is_number for term in ordered):
+    if not is_negative(ordered[0]) or all(map(is_number, ordered)):
         return _real_first(ranks)
     if all(is_negative(term) for term in ordered) or any(rank.imaginary for rank, _ in ranks):
         return _real_first(ranks)
@@ -77,10 +77,16 @@ def _positive_first(ordered: list[Any]) -> list[Any]:
     return [ordered[first], *ordered[:first], *ordered[first + 1 :]]
 
 
+@lru_cache(maxsize=4096)
+def is_number(expression: Any) -> bool:
+    """Whether it has no symbols: sympy looks through all of it each time, and a sum is put in order by many looks."""
+    return bool(expression.is_number)
+
+
 def is_negative(term: Any) -> bool:
     """Whether the term is written with a minus: its coefficient is negative, or each part of it, as in -(1 + √5) x."""
     coefficient, rest = term.as_coeff_Mul()
-    sums = [factor for factor in sp.Mul.make_args(rest) if factor.is_Add and factor.is_number and rest.is_Mul]
+    sums = [factor for factor in sp.Mul.make_args(rest) if factor.is_Add and rest.is_Mul and is_number(factor)]
     flips = sum(all(is_negative(part) for part in each.args) for each in sums)
     return below_zero(coefficient) != bool(flips % 2)
 
@@ -157,7 +163,7 @@ def _add_factor(rank: _Rank, factor: Any) -> None:
         rank.growth += 1.0 if factor is sp.E else float(factor.args[0])
     elif isinstance(factor, sp.exp):
         _add_rate(rank, *_linear(factor.args[0]))
-    elif factor.is_number:
+    elif is_number(factor):
         rank.number = max(rank.number, 2 if factor.has(sp.I) else 1)
     elif factor.is_Symbol:
         _add_symbol(rank, factor, 1)

@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.render.order import below_zero, factor_rank, has_variable
+from solver.render.order import below_zero, factor_rank, has_variable, is_number
 
 Factor = tuple[Any, Any]
 """A base and its exponent."""
@@ -45,7 +45,7 @@ def split(product: Any) -> Term:
             term.above.append((factor, sp.S.One))
         elif factor is sp.I:
             imaginary += 1
-        elif factor.is_number:
+        elif is_number(factor):
             number = number * _place_constant(term, factor)
         else:
             _place(term, *_base_and_exponent(factor))
@@ -102,11 +102,11 @@ def common_fraction(constant: Any) -> Any | None:
 
 def constants_together(terms: list[Any]) -> list[Any]:
     """Return the terms of a sum with its numbers as one fraction, where a sum with powers of e stands below a line."""
-    numbers = [term for term in terms if term.is_number]
+    numbers = [term for term in terms if is_number(term)]
     if len(numbers) < 2 or not any(_has_powers_below(each) for each in numbers):
         return terms
     whole = sp.cancel(sp.together(sp.Add(*numbers)))
-    return [*(term for term in terms if not term.is_number), whole]
+    return [*(term for term in terms if not is_number(term)), whole]
 
 
 def _has_powers_below(number: Any) -> bool:
