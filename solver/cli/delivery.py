@@ -15,7 +15,7 @@ from solver.classroom.report.data import as_data, as_json
 from solver.classroom.report.sheet import render_sheet
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number, to_be_reviewed
-from solver.cli.destination import STANDARD, write_changed, write_whole
+from solver.cli.destination import STANDARD, write_beside, write_changed, write_whole
 from solver.cli.papers import CheckRequest, Paper, Problems
 from solver.cli.solving import in_words
 from solver.cli.stems import stems_of
@@ -60,8 +60,7 @@ class Delivery:
             sys.stdout.write(content)
             sys.stdout.flush()
             return
-        path = self.path_of(paper.name)
-        write_changed(path, content.encode())
+        path = self.write(paper.name, content.encode())
         total = Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))
         said = (say(total), say(Phrase("wrote {path}", path=path)), to_be_reviewed(marking, say))
         click.echo(f"{paper.name}: {'; '.join(filter(None, said))}")
@@ -98,6 +97,14 @@ class Delivery:
         with console.capture() as captured:
             print_marking(marking, paper.name, console, self.messages)
         return captured.get()
+
+    def write(self, file: str, content: bytes) -> Path:
+        """Write the marking of a file where it goes; return where that is."""
+        path = self.path_of(file)
+        is_named = self.request.output is not None and path == Path(self.request.output)
+        is_beside = path.parent.resolve() == Path(file).parent.resolve()
+        (write_beside if is_beside and not is_named else write_changed)(path, content)
+        return path
 
     def path_of(self, file: str) -> Path:
         """Where the marking of a file goes: as named, into the folder named, or beside the answers."""

@@ -130,6 +130,19 @@ def write_changed(path: Path, content: bytes) -> None:
         write_whole(path, content)
 
 
+def write_beside(path: Path, content: bytes) -> None:
+    """Write a file as `write_changed` does into a folder that strangers have filled.
+
+    A link that stands in its place, or a pipe, is replaced: it leads where the file must not go.
+    """
+    try:
+        if path.is_symlink() or path.is_fifo():
+            path.unlink()
+    except OSError as error:
+        raise AtFault(f"cannot write {path}: {error.strerror or error}; say with -o where to write") from None
+    write_changed(path, content)
+
+
 def _replace(path: Path, content: bytes) -> None:
     """Write beside the file, then put it in place; what is not a regular file (/dev/null, a pipe) is written to."""
     if path.exists() and not path.is_file():

@@ -14,7 +14,7 @@ import click
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number
 from solver.cli.delivery import Delivery
-from solver.cli.destination import STANDARD, write_changed, write_whole
+from solver.cli.destination import STANDARD, write_whole
 from solver.cli.handed_in import read_paper, readings_of, source_of_exam
 from solver.cli.marks_kept import marks_kept, tidy, working
 from solver.cli.overriding import overriding
@@ -139,8 +139,7 @@ def _write_sheets(
                 page = exam_sheet(
                     exam, each, solutions[each.variant], request.templates, key=request.key, worked=worked
                 )
-            path = delivery.path_of(each.file)
-            write_changed(path, page.encode())
+            path = delivery.write(each.file, page.encode())
             click.echo(f"{each.file}: {number(each.marking.marks)} of {number(each.marking.out_of)}; wrote {path}")
 
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 from fractions import Fraction
 
 import pytest
@@ -192,3 +193,18 @@ def test_how_values_are_read_is_told_without_verdicts(solve, folder):
 def test_the_marking_does_not_depend_on_how_many_files_are_marked_at_once(solve, folder):
     one, three = (solve("check", "problem.yaml", "class", "-f", "json", "--jobs", jobs).out for jobs in (1, 3))
     assert one == three
+
+
+def test_a_link_beside_answers_is_not_followed_by_their_sheet(solve, folder):
+    outside = folder / "outside.html"
+    outside.write_text("mine", encoding="utf-8")
+    sheet = folder / "class" / "ada.marked.html"
+    sheet.symlink_to(outside)
+    os.mkfifo(folder / "class" / "bob.marked.html")
+    assert solve("check", "problem.yaml", "class/ada.yaml", "class/bob.yml", "-f", "html").code == 1
+    assert outside.read_text(encoding="utf-8") == "mine"
+    assert not sheet.is_symlink()
+    assert "<!DOCTYPE html>" in (folder / "class" / "bob.marked.html").read_text(encoding="utf-8")
+    (folder / "named.html").symlink_to(outside)
+    solve("check", "problem.yaml", "class/ada.yaml", "-f", "html", "-o", "named.html")
+    assert "<!DOCTYPE html>" in outside.read_text(encoding="utf-8")
