@@ -82,6 +82,14 @@ def test_each_part_of_a_key_has_lines_that_earn_its_marks_on_at_most_a_page(path
             "{task: routh_hurwitz, system: {polynomial: s^4 + s^3 + 3s^2 + 2s + 2}}",
             ["a(s) = s^{2} + 2", "2 on the imaginary axis"],
         ),
+        (
+            "{task: routh_hurwitz, answers: [condition], system: {polynomial: s^3 + 2s^2 + 3s + K}}",
+            ["3 - \\frac{1}{2}K", "K < 6"],
+        ),
+        (
+            "{task: jury, answers: [stable], system: {time: discrete, polynomial: z^3 + z^2/2 - z/4 + 1/8}}",
+            [r"-\frac{63}{64}", r"|b_{0}| = \frac{63}{64} > \frac{5}{16}"],
+        ),
         ("{task: response, kind: zero_input, initial_state: [1, 0]}", ["X_{\\text{zi}}(s)", "y(t) = Cx = "]),
         (
             "{task: nyquist, system: {transfer_function: 2(s + 3)/(s(s - 1))}}",

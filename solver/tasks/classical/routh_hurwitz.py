@@ -71,14 +71,20 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
         AnswerName(
             "imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True, count=True
         ),
-        AnswerName("stable", r"\text{stable}", "whether all roots lie in the open left half plane", optional=True),
+        AnswerName(
+            "stable",
+            r"\text{stable}",
+            "whether all roots lie in the open left half plane",
+            optional=True,
+            earned=("array", "minors", "sign_changes", "ratios"),
+        ),
         AnswerName(
             "condition",
             r"\text{condition}",
             "where all roots lie in the open left half plane, a condition on the parameters",
             optional=True,
             principal=has_parameters,
-            earned=("condition",),
+            earned=("array", "minors", "condition"),
         ),
     ],
 )

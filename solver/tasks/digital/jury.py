@@ -51,6 +51,7 @@ jury: Task[Polynomial, CriterionOptions] = Task(
             "whether all roots lie inside the unit circle",
             optional=True,
             principal=has_numbers,
+            earned=("necessary", "table", "array", "comparisons", "sign_changes"),
         ),
         AnswerName(
             "condition",
@@ -58,7 +59,7 @@ jury: Task[Polynomial, CriterionOptions] = Task(
             "where all roots lie inside the unit circle, a condition on the parameters",
             optional=True,
             principal=has_parameters,
-            earned=("condition",),
+            earned=("table", "array", "condition"),
         ),
         AnswerName(
             "unstable_poles",
