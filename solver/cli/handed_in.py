@@ -14,7 +14,7 @@ from solver.classroom.reading.answer_file import node_naming, root_of_answers
 from solver.classroom.syntax import Readings
 from solver.cli.destination import STANDARD, AtFault
 from solver.cli.named import named_in
-from solver.cli.papers import CheckRequest, below, submitted
+from solver.cli.papers import CheckRequest, below, printable, submitted
 from solver.cli.solving import INPUT_AT_FAULT, UNSOLVED, source_of
 from solver.cli.syntax import Told
 from solver.messages import Messages
@@ -86,7 +86,8 @@ def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
     inside = [path for folder in folders for path in sorted(folder.iterdir()) if path.name[0] != "."]
     for each in filter(None, map(below, map(str, folders))):
         click.echo(each.strip(), err=True)
-    return [f"{path}/" if path.is_dir() else str(path) for path in inside if path.resolve() not in read]
+    others = [f"{path}/" if path.is_dir() else str(path) for path in inside if path.resolve() not in read]
+    return [printable(each) for each in others]
 
 
 def readings_of(

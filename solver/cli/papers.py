@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -32,6 +33,7 @@ from solver.tasks import catalogue
 
 NAMES_NOTHING = "it names no problem; call solve check PROBLEM ANSWERS, or EXAM for an exam, or add the key 'problem'"
 SHOWN = 3
+CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,11 +112,25 @@ def files_in(named: Sequence[str], *others: str | None) -> tuple[str, ...]:
             found.append(name)
             continue
         inside = map(str, answer_files(Path(name))) if Path(name).is_dir() else _fitting(name)
-        files = [file for file in inside if Path(file).resolve() not in apart]
+        files = [file for file in _that_can_be_told(inside) if Path(file).resolve() not in apart]
         if not files:
             raise click.UsageError(f"there is no answer file in {name}; they end in .yaml.{below(name)}")
         found += files
     return tuple(dict.fromkeys(found))
+
+
+def printable(name: str) -> str:
+    """Return the name of a file as a terminal may print it: signs that would command it are written as in Python."""
+    return CONTROL.sub(lambda sign: repr(sign[0])[1:-1], name)
+
+
+def _that_can_be_told(files: Iterable[str]) -> Iterator[str]:
+    """Yield the files whose names can be printed; say which ones have to be called otherwise before they are read."""
+    for file in files:
+        if CONTROL.search(file):
+            click.echo(f"passed over, give it another name: {printable(file)}", err=True)
+        else:
+            yield file
 
 
 def _fitting(pattern: str) -> list[str]:

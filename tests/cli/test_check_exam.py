@@ -183,6 +183,7 @@ def test_folders_below_are_named_and_read_by_a_pattern_links_apart(solve, tmp_pa
         (tmp_path / folder / "answers.yaml").write_text(text, encoding="utf-8")
     (tmp_path / "in" / "link").symlink_to(tmp_path / "elsewhere")
     os.mkfifo(tmp_path / "in" / "pipe.yaml")
+    (tmp_path / "in" / "Ben" / "\x1b[2J\n.yaml").write_text(text, encoding="utf-8")
     done = solve("check", "exam.yaml", "in", "--jobs", 1)
     assert "marked 1 of 1 files" in done.err
     assert "For those of its folders: 'in/*/*.yaml'" in done.err
@@ -193,6 +194,7 @@ def test_folders_below_are_named_and_read_by_a_pattern_links_apart(solve, tmp_pa
         "in/Ben/answers.yaml",
     ]
     assert "passed over, links: in/link\n" in done.err
+    assert "passed over, give it another name: in/Ben/\\x1b[2J\\n.yaml\n" in done.err
 
 
 def test_a_report_is_about_an_exam(solve, good, tmp_path):
