@@ -12,8 +12,9 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from solver.classroom.reading.brackets import enclosed, matching, split
-from solver.classroom.reading.linear_sums import with_plain_indices
+from solver.classroom.reading.linear_sums import coefficients, with_plain_indices
 from solver.classroom.reading.printed_pairs import Pair, printed_pairs
+from solver.classroom.reading.vectors_told import of_unit_vectors
 
 _VALUE = r"[-+−±\d./√()*\sijI^πe]|sqrt"
 _LAMBDA = r"(?:\\?lam(?:b?d)a|λ|μ|s|z|p)"
@@ -29,9 +30,11 @@ _WORDS = re.compile(
     re.IGNORECASE,
 )
 _EIGENVALUE = re.compile(
-    rf"(?:(?:eigenvalue|eigenwert|EW|root)\s*(?:({_LAMBDA}{_INDEX})\s*=)?|({_LAMBDA}{_INDEX})\s*=)\s*((?:{_VALUE})+)",
+    rf"(?:(?:eigenvalue|eigenwert|EW|root)\s*(?:({_LAMBDA}{_INDEX})\s*=)?|({_LAMBDA}{_INDEX})\s*=)"
+    r"\s*([-+−±\d./√()*\sI^πa-zα-ω_]+)",
     re.IGNORECASE,
 )
+_WORD = re.compile(r"(?!sqrt)(?<![a-zα-ω])[a-zα-ω]{2,}", re.IGNORECASE)
 _BARE = re.compile(rf"(?:{_VALUE})+")
 _ARGUMENT = re.compile(
     r"(?:v|w|x|u|q|E|V|N|Eig|eig|ker)\s*_?\s*[({]\s*(?:A\s*[,;]\s*)?"
@@ -43,6 +46,7 @@ _SPAN = re.compile(r"(?:span|lin|LH)\s*(?=[({\[<])", re.IGNORECASE)
 _MAKER = re.compile(r"^(?:\w+\.)*(?:Immutable)?(?:Dense)?(?:[Mm]atrix|n?d?array)\s*\((.*)\)$", re.DOTALL)
 _TURNED = re.compile(r"\s*(?:\.?['’′]|\^\{?\(?\s*(?:T|\\top)\s*\)?\}?|ᵀ|\.T|\^⊤)$")
 _BEHIND = re.compile(rf"\s*\(\s*((?:{_LAMBDA}{_INDEX}\s*=|eigenvalue|eigenwert|EW)[^()]*)\)$", re.IGNORECASE)
+_BLANKS = re.compile(r"[^\S\n]+")
 _SIGNS = re.compile(r"[±∓]|\\pm|\\mp")
 MOST_VECTORS = 12
 MOST_CHARACTERS = 2000
@@ -63,7 +67,7 @@ def eigenpairs(text: str) -> list[Pair]:
     """
     if len(text) > MOST_CHARACTERS:
         return []
-    inside = with_plain_indices(text).strip()
+    inside = _BLANKS.sub(" ", with_plain_indices(text)).strip()
     if printed := printed_pairs(inside):
         return printed if len(printed) <= MOST_VECTORS else []
     if enclosed(inside, "{}") or enclosed(inside):
@@ -71,7 +75,10 @@ def eigenpairs(text: str) -> list[Pair]:
     items = list(_items(inside))
     if not items or any(each.kind == "" for each in items):
         return []
-    pairs = _paired(items)
+    told = _paired(items)
+    pairs = [(value, _written_out(vector, len(told))) for value, vector in told]
+    if not all(vector for _, vector in pairs):
+        return []
     return [each for pair in pairs for each in _both(*pair)] if 0 < len(pairs) <= MOST_VECTORS else []
 
 
@@ -107,14 +114,20 @@ def _said(piece: str, *, told: bool) -> Iterator[Item]:
     if found := _ARGUMENT.match(piece):
         yield Item("value", found[1].strip())
         piece = piece[found.end() :]
-    if found := _EIGENVALUE.fullmatch(piece):
+    bare = _NAMED.sub("", piece)
+    unit = coefficients(bare, "e")
+    if (found := _EIGENVALUE.fullmatch(piece)) and not _WORD.search(found[3]):
         yield Item("value", found[3].strip(), found[1] or found[2] or "")
-    elif told and _BARE.fullmatch(piece) and not enclosed(piece, "()") and any(map(str.isdigit, piece)):
+    elif told and not unit and _is_number(piece):
         yield Item("value", piece.strip())
     else:
-        name = found[1] if (found := _NAMED.match(piece)) else ""
+        name = found[1].strip("_{}") if (found := _NAMED.match(piece)) else ""
         vectors = vectors_of(piece)
-        yield from (Item("vector", each, name.strip("_{}")) for each in vectors) if vectors else [Item("", piece)]
+        yield from (Item("vector" if vectors or unit else "", each, name) for each in vectors or [bare])
+
+
+def _is_number(piece: str) -> bool:
+    return _BARE.fullmatch(piece) is not None and not enclosed(piece, "()") and any(map(str.isdigit, piece))
 
 
 def vectors_of(piece: str) -> list[str]:
@@ -139,6 +152,11 @@ def vectors_of(piece: str) -> list[str]:
     inside = inside.replace("|", ",") if "," not in inside else inside
     several = len(split(inside, re.compile(r"[,;]|(?<=\S)\s+(?=\S)|\n"))) > 1
     return [f"[{inside}]"] if several else []
+
+
+def _written_out(vector: str, most: int) -> str:
+    """A vector by its entries, also of 2e1 + e3 among so many unit vectors; "" where it is none."""
+    return vector if vector.startswith("[") else of_unit_vectors(vector, most)
 
 
 def _paired(items: Sequence[Item]) -> list[Pair]:

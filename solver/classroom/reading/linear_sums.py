@@ -29,7 +29,7 @@ def coefficients(text: str, letters: str) -> dict[Name, str] | None:
 
     A factor before the brackets round all of it counts for each.
     """
-    text = with_plain_indices(text).strip()
+    text = " ".join(with_plain_indices(text).split())
     if text == "0":
         return {}
     outer = ""

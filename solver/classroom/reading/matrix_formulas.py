@@ -10,6 +10,8 @@ _AT_ZERO = re.compile(
 )
 _OF_INVERSE = re.compile(r".*A\s*(?:\^\s*[({]?-1|⁻¹)|.*inv\(A\)")
 """The gain at s = 0 by the matrices; what else has the inverse of A in it is no such gain."""
+_OF_FUNCTION = re.compile(r"(?<![A-Za-z])[GHT]\w?\s*\(")
+_FUNCTION_AT_ZERO = re.compile(r"\|?\s*(?:\\?lim\b.*?)?[GHT]\w?\s*\(\s*(?:s|0|j0|j\*0|s\s*=\s*0)\s*\)\s*\|?")
 _SAMPLED = re.compile(
     r"(?:e\s*\^\s*[({]?\s*A\s*[*·]?\s*T\w*\s*[)}]?|expm?\(A\s*[*·]?\s*T\w*\)|I\w?\s*\+\s*A\s*[*·]?\s*T\w*(?:\s*\+[\s\w^/²!().…]*)?)"
 )
@@ -28,5 +30,10 @@ def is_sampled(text: str) -> bool:
 
 
 def is_gain_at_zero(text: str) -> bool | None:
-    """Return whether a text is the gain D - C A^-1 B at s = 0; None of one without the inverse of A."""
-    return _AT_ZERO.fullmatch(text) is not None if _OF_INVERSE.match(text) else None
+    """Return whether a text is the gain at s = 0, D - C A^-1 B or G(0).
+
+    None of one without the inverse of A and without a transfer function.
+    """
+    if _OF_INVERSE.match(text):
+        return _AT_ZERO.fullmatch(text) is not None
+    return _FUNCTION_AT_ZERO.fullmatch(text) is not None if _OF_FUNCTION.search(text) else None

@@ -39,6 +39,9 @@ _ADDED = re.compile(r"\s*u\w*(?:\(\w\))?\s*=\s*\+?\s*[A-Za-z]")
 _OUTPUT = re.compile(r"^\s*Y(?:\((?:s|z)\))?\s*=\s*(.*?)\s*[*·]?\s*U(?:\((?:s|z)\))?\s*$", re.DOTALL)
 _SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
 _POWER_OF_ROW = re.compile(r"\s*[sz]\s*\^?\s*[({]?[\d⁰¹²³⁴-⁹]{1,2}[)}]?\s*(?:[|:]|$)")
+_BLANKS = re.compile(r"[^\S\n]+")
+MOST_CHARACTERS = 2000
+"""Longer texts are no matrices told otherwise."""
 _DIGITS = re.compile(r"[\d⁰¹²³⁴-⁹]{1,2}")
 _QUOTED = re.compile(r"^\s*[“”„«»‘’‚\"`]([^“”„«»`]*)[“”«»‘’\"`]\s*$|(?<=[\])'])\s*;+\s*$", re.DOTALL)
 _REPORT = re.compile(
@@ -102,10 +105,12 @@ def _in_order(node: MappingNode) -> str:
 
 def _matrix_told(text: str, name: str, ours: sp.MatrixBase) -> str:
     """A matrix told by equations or by other vectors, written out; "" of any other text."""
-    if name.endswith("_space"):
-        return "{0}" if is_zero_space(text) else _space_told(text, ours)
-    if 0 in ours.shape:
+    text = _BLANKS.sub(" ", text)
+    space = name.endswith("_space")
+    if len(text) > MOST_CHARACTERS or (0 in ours.shape and not space):
         return ""
+    if space:
+        return "{0}" if is_zero_space(text) else _space_told(text, ours)
     if name in state_equations.NAMES:
         return state_equations.matrix_of(plainly(text), name, ours.shape) if "=" in text else ""
     if name.endswith("eigenvectors"):

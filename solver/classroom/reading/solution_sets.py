@@ -56,10 +56,11 @@ def _names(text: str, size: int) -> list[Name]:
     used = set(re.findall(r"(?<![A-Za-z])([a-z])_?([1-9]?)(?![A-Za-z\d])", text))
     for letter in _LETTERS:
         names = [(letter, str(i)) for i in range(1, size + 1)]
-        if used and used <= set(names):
+        own = {name for name in used if name[0] == letter}
+        if own and own <= set(names):
             return names
     names = [(letter, "") for letter in _ORDER[:size]]
-    return names if used and size <= len(_ORDER) and used <= set(names) else []
+    return names if used & set(names) and size <= len(_ORDER) else []
 
 
 def _by_others(equations: list[tuple[Equation, Equation]]) -> dict[Name, Equation]:
