@@ -166,7 +166,8 @@ def _paired(items: Sequence[Item]) -> list[Pair]:
         return _by_index(items)
     if not is_value[0]:  # (1, -1) for λ = -1
         alternating = len(items) % 2 == 0 and all(each == (i % 2 == 1) for i, each in enumerate(is_value))
-        return [(value.text, vector.text) for vector, value in zip(items[::2], items[1::2], strict=True)] * alternating
+        both = zip(items[::2], items[1::2], strict=False)
+        return [(value.text, vector.text) for vector, value in both] if alternating else []
     pairs, value, last = list[Pair](), Item("", ""), False
     for each, here in zip(items, is_value, strict=True):
         if here and last:
