@@ -14,13 +14,15 @@ from solver.derivation import Status
 from solver.document.formats import FORMATS
 from solver.document.model import Presentation
 from solver.document.works import document_of, solve_as_told
+from solver.engine import refusals_of
 from solver.executors import Executor
 from solver.limits import Limits
 from solver.papers.difficulty import Difficulty, difficulty_of
 from solver.papers.judging import Judged, Rejection, judged
 from solver.problem.family import Nice, Required
 from solver.problem.reader import read_problem
-from solver.problem.source import Source
+from solver.problem.refusals import Refusal
+from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
 
 YAML = "yaml"
@@ -44,6 +46,13 @@ class Made:
     reason: str
     files: Mapping[str, bytes]
     difficulty: Difficulty | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class WronglyAsked:
+    """What tasks find wrong with the questions of a problem, by the part's id."""
+
+    refusals: Mapping[str, tuple[Refusal, ...]]
 
 
 Make = Callable[[Judged, str, Any], Made]
@@ -97,9 +106,18 @@ def tried(
     return Tried(draw.asked, make(draw, source, wanted) if make is not None else None)
 
 
-def made_of(text: str, source: str, make: Make, wanted: Any) -> Made:
+def made_of(text: str, source: str, make: Make, wanted: Any) -> Made | WronglyAsked:
     """Return what is made of the text of a problem."""
-    return make(Judged(read_problem(Source(source, text), catalogue())), source, wanted)
+    problem = read_problem(Source(source, text), catalogue())
+    try:
+        return make(Judged(problem), source, wanted)
+    except InputError:
+        told = wanted.presentation
+        messages = told.messages(told.of(problem).display)
+        refusals = {part.id: tuple(refusals_of(part, messages)) for part in problem.parts}
+        if not any(refusals.values()):
+            raise
+        return WronglyAsked(refusals)
 
 
 def all_made(executor: Executor, source: str, making: Making, texts: Sequence[str]) -> list[Any]:

@@ -129,6 +129,24 @@ def test_nothing_is_written_where_a_question_is_not_verified(solve, tmp_path):
     assert not written(tmp_path / "build")
 
 
+def test_what_a_task_finds_wrong_is_told_where_it_is_asked(solve, tmp_path):
+    indefinite = "{system: {A: [[0, 1], [-2, -3]], B: [0, 1]}, find: {a: {task: lqr, Q: [[-1, 0], [0, 1]], R: 1}}}\n"
+    (tmp_path / "other.yaml").write_text(indefinite, "utf-8")
+    (tmp_path / "exam.yaml").write_text(
+        "exam: Asked\nquestions:\n  - problem: other.yaml\n  - problem: other.yaml\n"
+        "  - problem:\n      system: {transfer_function: 1/(s+1)}\n      find: {b: {task: response}}\n"
+        f"  - problem: {indefinite}",
+        "utf-8",
+    )
+    done = solve("exam", "exam.yaml", "-o", "build", "--jobs", 1)
+    assert done.code == 1
+    places = re.findall(r"^(\S+): error: (.{15})", done.err, re.MULTILINE)
+    response, lqr = "the complete re", "Q must be posit"
+    assert places == [("exam.yaml:7:24", response), ("exam.yaml:8:84", lqr), ("other.yaml:1:71", lqr)]
+    assert "internal error" not in done.err
+    assert not written(tmp_path / "build")
+
+
 def test_the_limit_that_was_given_is_told_of_all_questions_that_met_it(solve, tmp_path):
     """And not that of a call, which has several parts."""
     write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"))

@@ -14,13 +14,15 @@ from solver.limits import Exceeded, Limits
 from solver.papers.again import members_again
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.question import Asked, QuestionMade
+from solver.papers.exam.reading import SeveralAtFault
 from solver.papers.exam.telling import question_made
 from solver.papers.judging import Judged
 from solver.papers.kept import NOTHING, Kept, MadeBefore, facts_of
-from solver.papers.making import Made, made_of
+from solver.papers.making import Made, WronglyAsked, made_of
 from solver.papers.search import MOST_DRAWS, Search, Tell
 from solver.papers.telling import shortage
-from solver.problem.source import InputError
+from solver.problem.refusals import refuse
+from solver.problem.source import Diagnostic, InputError
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,18 +97,31 @@ def _alike(exam: Exam, questions: list[Question], means: Means, tell: Tell) -> I
         tell(0, sum(each is not None for each in results.values()))
         if isinstance(result, QuestionMade) and result.status is Status.VERIFIED:
             _memory(new[place], means).put(new[place].source.text, result)
-    wrong = []
+    wrong = list[Diagnostic]()
+    faults = {exam.source: wrong}
     for question in questions:
         result = results[question.number]
         if isinstance(result, Exceeded):
             wrong.append(question.node.diagnostic(f"question {question.number} cannot be solved: {result.reason}"))
+        elif isinstance(result, WronglyAsked):
+            error = _misasked(question, result)
+            faults.setdefault(error.source, []).extend(error.diagnostics)
         elif result.status is Status.FAILED or (result.status is Status.UNSOLVED and not means.partly):
             message = f"question {question.number} is {result.status}: {result.reason}"
             wrong.append(question.node.diagnostic(message))
         else:
             yield question, result
-    if wrong:
-        raise InputError(exam.source, wrong)
+    if errors := [InputError(source, found) for source, found in faults.items() if found]:
+        raise SeveralAtFault(errors)
+
+
+def _misasked(question: Question, found: WronglyAsked) -> InputError:
+    """Return what is wrong with a question as it is asked, where it is told: in the exam or in a file of its own."""
+    try:
+        refuse(question.problem, found.refusals)
+    except InputError as error:
+        return error
+    raise AssertionError("a question is refused for a reason")
 
 
 def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tell) -> list[Drawn]:
