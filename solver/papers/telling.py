@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from solver.papers.judging import Rejection
-from solver.papers.search import Search
+from solver.papers.search import BEFORE, Search
 from solver.problem.nodes import Node, Place
 from solver.problem.source import Diagnostic, InputError, Source
 
@@ -24,10 +26,12 @@ def shortage(search: Search, source: Source, count: int) -> InputError:
     all_drawn = f"all {search.family.size} choices were drawn" if search.is_exhausted else f"after {search.draws} draws"
     message, note = f"found {found}: {all_drawn}", ""
     place = Place()
-    if search.rejections:
-        why, most = search.rejections.most_common(1)[0]
+    # What was drawn before is no draw of its own: it was looked at once.
+    rejections = Counter({why: times for why, times in search.rejections.items() if why != BEFORE})
+    if rejections:
+        why, most = rejections.most_common(1)[0]
         place = _place(search, why)
-        others = ", more than by anything else" if len(search.rejections) > 1 else ""
+        others = ", more than by anything else" if len(rejections) > 1 else ""
         cause = f": {why.why}" if why.own else f" by '{why.why}'{others}"
         message += f", and {most} {'was' if most == 1 else 'were'} rejected{cause}"
     if not search.is_exhausted:

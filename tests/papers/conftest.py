@@ -9,6 +9,7 @@ from solver.papers.search import Search
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
+from tests.papers.searching import Here
 
 FAMILY = """\
 title: A family
@@ -32,11 +33,11 @@ def loaded():
 
 
 @pytest.fixture
-def search_of(loaded):
-    """Return the search of a family that is given as text."""
+def search_of():
+    """Return the search of a family that is given as text; its draws are judged in this process."""
 
     def of(text=FAMILY, seed=7, **facts):
         source = Source("family.yaml", text)
-        return Search(source, read_problem(source, catalogue()).family, seed, **facts)
+        return Search(source, read_problem(source, catalogue()).family, seed, **{"executor": Here(), **facts})
 
     return of

@@ -16,6 +16,7 @@ from solver.papers.draws import Draws
 from solver.papers.generator import stream
 from solver.papers.judging import Rejection
 from solver.papers.search import BEFORE
+from solver.papers.telling import shortage
 from tests.papers.searching import candidates
 
 REGULATOR = """\
@@ -174,6 +175,10 @@ def test_what_cannot_be_chosen_first_is_given_up(search_of):
     search = search_of(text + "system: {A: [[a, b], [1, 0]]}\nfind: {f: stability}\nrequire: [a = b, a = b + 1]\n")
     (construction,) = constructions_of(search.source, search.family, search.seed, ())
     assert [construction.at(number) for number in range(TRIED + 500)] == [None] * (TRIED + 500)
+    search.most = 600  # of which every other one is the one before
+    assert candidates(search) == []
+    assert search.rejections[BEFORE] == 300
+    assert "after 600 draws, and 300 were rejected by 'a = b'" in shortage(search, search.source, 1).render()
 
 
 def test_a_small_family_is_looked_through(search_of):

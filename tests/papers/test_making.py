@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import islice
 
 import pytest
 
 from solver import engine
 from solver.document.model import Presentation
-from solver.executors import Executor
 from solver.papers.judging import Rejection
 from solver.papers.making import Wanted, made, made_of, tried
 from solver.problem.members import member_text
@@ -17,7 +15,7 @@ from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
 from tests.papers.conftest import FAMILY
-from tests.papers.searching import candidates
+from tests.papers.searching import Here, candidates
 
 TEXT = FAMILY.replace("  f: {task", "  e: controllability\n  f: {method: [ackermann, bass_gura], task")
 
@@ -55,25 +53,9 @@ def test_one_that_is_no_member_is_not_made():
     assert tried(text.replace("b: 2", "b: 1/2"), name, required, nice, None, None) == Rejection("f.K: integers")
 
 
-class Backwards(Executor):
-    """Makes three calls at a time, and tells the last of them first."""
-
-    jobs = 3
-
-    def __init__(self):
-        self.made = 0
-
-    def calls(self, _limits, function, calls):
-        left = enumerate(calls)
-        while some := list(islice(left, self.jobs)):
-            for place, arguments in reversed(some):
-                self.made += 1
-                yield place, function(*arguments)
-
-
 @pytest.mark.parametrize("wanted", [1, 6, 100])
 def test_draws_are_looked_at_in_their_order_whichever_is_through_first(search_of, wanted):
-    search, other = search_of(most=70), search_of(most=70, executor=Backwards())
+    search, other = search_of(most=70), search_of(most=70, executor=Here(3))
     assert candidates(other, wanted) == candidates(search, wanted)
     assert (other.draws, other.found, other.rejections) == (search.draws, search.found, search.rejections)
     assert other.judgements == search.judgements
@@ -83,5 +65,5 @@ def test_draws_are_looked_at_in_their_order_whichever_is_through_first(search_of
 def test_no_more_draws_are_tried_than_may_be_wanted(search_of):
     plain = "parameters: {a: 2}\nvary: {a: {from: 1, to: 50}}\nsystem: {A: [[0, 1], [-a, -1]]}\nfind: {f: stability}\n"
     for wanted in (1, 2, 7):
-        search = search_of(plain, executor=Backwards())
+        search = search_of(plain, executor=Here(3))
         assert len(candidates(search, wanted)) == search.executor.made == wanted
