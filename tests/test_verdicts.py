@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from solver.derivation import Check, Status
+from solver.derivation import Check, CheckStatus, Status
 from solver.document.works import document_of
 from solver.engine import solve_problem, verdict
 from solver.problem.reader import read_problem
@@ -65,3 +65,9 @@ def test_the_terminal_and_the_data_tell_what_could_not_be_checked(solution):
     assert "unchecked" not in whole
     assert lacking["unchecked"] == "2 could not be checked: too few digits"
     assert [check["status"] for check in lacking["checks"]].count("skipped") == 2
+
+
+def test_a_check_of_a_displayed_equality_keeps_all_else():
+    found = Check("a = b", "numpy", 1.0, 0.1, CheckStatus.FAILED, "why", ("x",), 2, 3, (1, 2))
+    assert found.displayed_in(7) == replace(found, step=7)
+    assert found.displayed_in(7).sides == (1, 2)

@@ -119,6 +119,11 @@ class Check:
     item: int = 0
     sides: tuple[Any, Any] | None = field(default=None, compare=False, repr=False)
 
+    def displayed_in(self, step: int) -> Check:
+        """Return the check as that of an equality which the step of this number displays."""
+        result = self.claim, self.oracle, self.residual, self.tolerance, self.status, self.reason
+        return Check(*result, self.judges, step, self.item, self.sides)
+
     @staticmethod
     def within(claim: str, oracle: str, residual: float, tolerance: float, *, answer: str = "") -> Check:
         """Passed if the residual is a number not above the tolerance, else failed. `answer`: the one it judges."""

@@ -247,7 +247,7 @@ class Judge:
             self._add(Check.skipped(self.where, "none", words))
 
     def _add(self, check: Check) -> None:
-        self.checks.append(replace(check, step=self.step))
+        self.checks.append(check.displayed_in(self.step))
 
     def finish(self) -> None:
         """Check what stood before its names had values, and equations between unknowns, with what was found."""

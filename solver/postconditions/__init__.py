@@ -9,7 +9,6 @@ there for what was found in another way, it knows no kernel.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -43,11 +42,11 @@ def check_calls(calls: Iterable[Call], steps: Iterable[Step]) -> Iterator[Check]
         label, step = "what was found for it", min(call.step, len(steps))
         for each in postcondition(call.result, *call.arguments, **call.named):
             if isinstance(each, Check):
-                yield replace(each, step=step)
+                yield each.displayed_in(step)
             elif (key := _key(each)) not in known:
                 known.add(key)
                 check = numeric.check_claim(each, each.says or label, environments=environments, shown=True)
-                yield replace(check, step=step)
+                yield check.displayed_in(step)
 
 
 def _was_judged(call: Call, judged: dict[Any, list[Any]]) -> bool:

@@ -29,12 +29,9 @@ def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()
     """Return the checks of all claims of the steps and their substeps, in the order of reading."""
     environments = Environments()
     return tuple(
-        replace(
-            check_claim(
-                claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments, shown=True
-            ),
-            step=number,
-        )
+        check_claim(
+            claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments, shown=True
+        ).displayed_in(number)
         for number, first in enumerate(steps, start=1)
         for step in first.walk()
         for key, claim in step.claims.items()
