@@ -35,17 +35,16 @@ class Budget:
         while todo and self.left > 0:
             node = todo.pop()
             if isinstance(node, sp.Basic):
-                if node in self.seen:
-                    continue
+                met = len(self.seen)
                 self.seen.add(node)
-            self.left -= COSTS.get(node.operation, 1) if isinstance(node, Stated) else 1
-            todo += _parts(node)
+                if len(self.seen) == met:  # it was there: expressions are hashed only once so
+                    continue
+                self.left -= 1
+                todo += node.args
+            elif isinstance(node, Stated):
+                self.left -= COSTS.get(node.operation, 1)
+                todo += node.operands
+            else:
+                self.left -= 1
+                todo += entries(node) if isinstance(node, sp.MatrixBase) else ()
         return self.left > 0
-
-
-def _parts(node: Any) -> Iterable[Any]:
-    if isinstance(node, Stated):
-        return node.operands
-    if isinstance(node, sp.Basic):
-        return node.args
-    return entries(node) if isinstance(node, sp.MatrixBase) else ()
