@@ -68,7 +68,7 @@ class Presentation:
         return self.checks or ("none" if self.detail in {"question", "key"} else "summary")
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, slots=True, weakref_slot=True, repr=False)
 class Document:
     """A whole solution. `title` and `source` are plain text; `statement` and `given` are Markdown, maybe empty.
 

@@ -57,19 +57,21 @@ def parenthesized(body: Row) -> Fenced:
 
 def walk(node: Node) -> Iterator[Node]:
     """Yield a node and all that it is made of."""
-    yield node
-    if type(node) in _LEAVES:
-        return
-    for name in node.__match_args__:
-        yield from _nodes(getattr(node, name))
+    left = [node]
+    while left:
+        each = left.pop()
+        yield each
+        if type(each) not in _LEAVES:
+            left.extend(reversed(_parts(each)))
 
 
-def _nodes(value: object) -> Iterator[Node]:
-    if isinstance(value, Node):
-        yield from walk(value)
-    elif isinstance(value, tuple):
-        for each in value:
-            yield from _nodes(each)
+def _parts(node: Node) -> Sequence[Node]:
+    if isinstance(node, Row):
+        return node.items
+    if isinstance(node, Table):
+        return [cell for row in node.rows for cell in row]
+    values = [getattr(node, name) for name in node.__match_args__]
+    return [value for value in values if isinstance(value, Node)]
 
 
 def _is_tall(node: Node) -> bool:

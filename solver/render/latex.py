@@ -240,13 +240,11 @@ def _integer(number: int) -> Row:
     return Row((MINUS, digits)) if number < 0 else Row((digits,))
 
 
-def _digits_of(above: list[Row], below: list[Row]) -> tuple[str, str] | None:
-    """Return the digits of a number over a number; None where a fraction has anything else in it."""
-    found = [*(above or [ONE]), *below]
-    if len(found) != 2 or any(len(each.items) != 1 or type(each.items[0]) is not Number for each in found):
-        return None
-    first, second = (each.items[0].digits for each in found)
-    return first, second
+def _digits_of(above: list[Row], below: list[Row]) -> list[str]:
+    """Return the digits of a number over a number, nothing where a fraction has anything else in it."""
+    items = [item for each in (*(above or (ONE,)), *below) for item in each.items]
+    digits = [item.digits for item in items if isinstance(item, Number)]
+    return digits if len(digits) == len(items) == 2 else []
 
 
 @lru_cache(maxsize=1024)  # as above

@@ -9,6 +9,7 @@ from functools import lru_cache
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from weakref import proxy
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, pass_context
 from jinja2.runtime import Context
@@ -53,14 +54,21 @@ def render_page(document: Document) -> str:
     `html/page.html.jinja` and `html/style.css` of the folder of templates, if it has them, come before the installed
     ones.
     """
-    return rendered("page.html.jinja", document.presentation.templates, document.messages, document=document)
+    return _style(document.presentation.templates).join(_pieces_of(document))
 
 
 def encoded_page(document: Document) -> bytes:
     """Return the page of a solution in UTF-8; the style, as it is the same for all, need not be encoded anew."""
-    templates = document.presentation.templates
-    pieces = _pieces("page.html.jinja", templates, document.messages, document=document)
-    return _encoded_style(templates).join(piece.encode() for piece in pieces)
+    return _encoded_style(document.presentation.templates).join(piece.encode() for piece in _pieces_of(document))
+
+
+def _pieces_of(document: Document) -> list[str]:
+    """Return what stands before the style of a solution's page, and behind it.
+
+    A page's macros refer to each other, and stay until garbage is collected: through a proxy the document need not.
+    """
+    templates, shown = document.presentation.templates, proxy(document)
+    return _pieces("page.html.jinja", templates, document.messages, document=shown)
 
 
 def rendered(template: str, templates: Path | None = None, messages: Messages | None = None, **values: Any) -> str:

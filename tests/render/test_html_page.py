@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import re
+import weakref
 from dataclasses import replace
 from html.parser import HTMLParser
 from itertools import pairwise
@@ -10,7 +11,7 @@ import pytest
 
 from solver.derivation import Status
 from solver.document.model import Document, Presentation
-from solver.render.page import POLICY, drawn, render_page
+from solver.render.page import POLICY, STYLE, drawn, encoded_page, render_page
 from tests.helpers.sample_pages import ATTACK, hostile, part, sample
 
 VOID = {"meta", "img", "br", "hr", "wbr"}
@@ -63,6 +64,22 @@ def read(page: str) -> Reader:
 
 def test_a_page_is_well_formed_and_has_no_elements_but_those_expected(read: Reader) -> None:
     assert {tag for tag, _ in read.elements} <= TAGS
+
+
+def test_a_page_has_its_style_once_whatever_the_problem_is_called() -> None:
+    document = replace(sample(), title=str(STYLE))
+    written = render_page(document)
+    assert written.count("@font-face") == 1
+    assert STYLE not in written
+    assert encoded_page(document) == written.encode()
+
+
+def test_a_page_does_not_keep_its_document() -> None:
+    document = replace(sample(), name="let go")
+    held = weakref.ref(document)
+    assert "let go" in render_page(document)
+    del document
+    assert held() is None, "it waits for garbage to be collected"
 
 
 def test_a_page_carries_its_policy_before_anything_that_could_load(page: str, read: Reader) -> None:
