@@ -174,12 +174,13 @@ def _code(document: Document) -> int:
 def _what_is_wrong(document: Document) -> str:
     """Return which parts are not verified, and why."""
     from solver.derivation import Status
+    from solver.render.prose import inline_as_text
 
     say, lines = document.messages.say, []
     for part in document.parts:
         if part.status is not Status.VERIFIED:
             head = say(Phrase("part {id} ({method})", id=part.id, method=part.method))
-            lines.append(f"{head}: {say(part.status)}: {part.reason}\n")
+            lines.append(f"{head}: {say(part.status)}: {inline_as_text(part.reason)}\n")
     return "".join(lines)
 
 

@@ -38,6 +38,8 @@ def shortage(search: Search, source: Source, count: int) -> InputError:
         note = "--draws N makes more of them"
     elif search.found < count:
         note = "give what is drawn more values, or ask for fewer members"
+    if met := sum(times for why, times in search.rejections.items() if why.is_by_limits):
+        note = f"{_counted(met, 'draw')} met a limit; --time-limit and --memory-limit allow more"
     diagnostic = Node(place).diagnostic(message, note=note) if place.line else Diagnostic(message, note=note)
     return InputError(source, [diagnostic])
 

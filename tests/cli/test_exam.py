@@ -124,7 +124,7 @@ def test_nothing_is_written_where_a_question_is_not_verified(solve, tmp_path):
     write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"), step=unsolved)
     done = solve("exam", "exam.yaml", "-o", "build")
     assert done.code == 1
-    assert "exam.yaml:8:15: error: question 1 is unsolved: part a:" in done.err
+    assert "exam.yaml:8:15: error: question 1 is unsolved: part a: The mode 2 is uncontrollable" in done.err
     assert "exam.yaml:9:15: error: question 2 is unsolved: part a:" in done.err
     assert not written(tmp_path / "build")
 

@@ -74,6 +74,8 @@ def test_what_it_took_is_told(search_of):
     candidates(search)
     assert "after 5 draws" in shortage(search, search.source, 60).render()
     assert "--draws N" in shortage(search, search.source, 60).render()
+    search.rejections[Rejection.by_limits("time limit of 1 s")] = 2
+    assert "2 draws met a limit; --time-limit" in shortage(search, search.source, 60).render()
 
 
 def test_members_that_ask_the_same_are_one(search_of):

@@ -13,6 +13,7 @@ from solver.papers.exam.packed import packed
 from solver.papers.exam.question import Asked, QuestionMade
 from solver.papers.exam.scaling import scaled
 from solver.papers.judging import Judged
+from solver.render.prose import inline_as_text
 
 
 def question_made(draw: Judged, source: str, asked: Asked) -> QuestionMade:
@@ -24,7 +25,7 @@ def question_made(draw: Judged, source: str, asked: Asked) -> QuestionMade:
     judged = key if told.detail in {"full", "tutor"} else document_of(solution, replace(told, detail="full"), name)
     if judged.status is not Status.VERIFIED:
         part = next(part for part in judged.parts if part.status is not Status.VERIFIED)
-        return QuestionMade(judged.status, f"part {part.letter}: {part.reason}", {})
+        return QuestionMade(judged.status, f"part {part.letter}: {inline_as_text(part.reason)}", {})
     paper = document_of(solution, replace(told, detail="question", checks=""), name)
     sheet = "\n".join(blank_parts(solution, told.templates))
     together = packed(as_question(paper, asked.number), as_question(key, asked.number))

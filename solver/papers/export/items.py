@@ -26,7 +26,7 @@ from solver.papers.judging import Judged
 from solver.problem.model import Part
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
-from solver.render.prose import plain
+from solver.render.prose import inline_as_text, plain
 from solver.tasks import catalogue
 from solver.words import Phrase
 
@@ -73,7 +73,7 @@ def bank_made(draw: Judged, source: str, asked: Wanted) -> BankMade:
     solution, worked = _solved(draw, source, asked)
     judged = worked if worked.presentation.detail in {"full", "tutor"} else worked.told(detail="full")
     part = next((part for part in judged.parts if part.status is not Status.VERIFIED), None)
-    reason = f"part {part.letter}: {part.reason}" if part else ""
+    reason = f"part {part.letter}: {inline_as_text(part.reason)}" if part else ""
     return BankMade(judged.status, reason, {}, items=_items_of(solution, worked))
 
 
@@ -95,14 +95,14 @@ def _items_of(solution: Solution, worked: Document) -> ItemsMade:
     unsolved = {work.id: work for work in reversed(worked.parts) if work.status is not Status.VERIFIED}
     if worked.status is Status.FAILED:
         part = next(part for part in worked.parts if part.status is worked.status)
-        return ItemsMade(fault=f"part {part.letter}: {part.reason}")
+        return ItemsMade(fault=f"part {part.letter}: {inline_as_text(part.reason)}")
     paper, key = (worked.told(detail=detail, checks="") for detail in ("question", "key"))
     bench, words = Bench(solution), Told(paper, worked, key)
     letters = {work.id: (work.letter, work.title) for work in paper.parts if not work.case}
     items = {part.id: tuple(_Parted(bench, part, words).items()) for part in problem.parts if part.id not in unsolved}
     return ItemsMade(
         tuple((*letters[part.id], items.get(part.id, ())) for part in problem.parts),
-        left_out=tuple(f"part {each.letter}: {each.reason}" for each in reversed(unsolved.values())),
+        left_out=tuple(f"part {each.letter}: {inline_as_text(each.reason)}" for each in reversed(unsolved.values())),
     )
 
 
