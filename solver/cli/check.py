@@ -62,7 +62,7 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     workers: Workers,
     again: bool,
 ) -> None:
-    """Mark each file of ANSWERS, or each in a folder, by what PROBLEM asks, not by likeness to a key.
+    """Mark each file of ANSWERS, of a folder or of a pattern, by what PROBLEM asks, not by likeness to a key.
 
     Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest. Answers to an
     exam are marked against the variant of each student, with the marks of the exam. Called again with other answers,
