@@ -18,8 +18,12 @@ def counted(quiz: Quiz) -> str:
 def told(quiz: Quiz) -> Iterator[str]:
     """Yield which parts became essays, and why: once for all variants of a part."""
     for group in quiz.groups:
-        reasons = {f"{name}: {why}": None for item in group.items for name, why in _reasons(item)}
-        if reasons:
+        named: dict[str, dict[str, None]] = {}
+        for item in group.items:
+            for name, why in _reasons(item):
+                named.setdefault(why, {})[name] = None
+        if named:
+            reasons = (f"{', '.join(names)}: {why}" for why, names in named.items())
             yield f"essay: {', '.join(group.path[1:])}: {'; '.join(reasons)}"
 
 

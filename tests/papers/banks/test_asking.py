@@ -6,6 +6,8 @@ from solver.document.model import Presentation
 from solver.papers.exam.telling import Asked as Wanted
 from solver.papers.export import fields as exported
 from solver.papers.export.items import items_made
+from solver.papers.export.quiz import Group, Quiz
+from solver.papers.export.summary import told
 from tests.papers.banks.making import items_of
 from tests.papers.banks.test_fields import GAIN, SPECTRUM, laid_out, only
 
@@ -22,6 +24,15 @@ def test_a_list_whose_length_is_asked_for_is_an_essay_if_it_is_empty_or_not(B):
     find = "{task: controllability, answers: [controllable, uncontrollable_modes]}"
     items = items_of(f"title: t\nsystem: {{A: [[0, 1], [-2, -3]], B: {B}}}\nfind: {{a: {find}}}\n")
     assert items["a rest"].essay.reasons == {"uncontrollable_modes": exported.HOW_MANY}
+
+
+def test_answers_with_the_same_reason_are_named_together():
+    text = 'title: t\nsystem: {transfer_function: "6/(s(s+1)(s+2))"}\nfind: {a: {task: root_locus}}\n'
+    essays = tuple(each for each in items_of(text).values() if each.essay)
+    (line,) = told(Quiz("x", "", "en", (Group(("x", "t", "(a) Locus"), essays * 2),)))
+    assert line.startswith("essay: t, (a) Locus: real_axis_segments, imaginary_axis_crossings: several values are")
+    assert "; breakaway_points, breakaway_gains, " in line
+    assert line.count(exported.HOW_MANY) == 1
 
 
 def test_what_may_be_infinite_is_a_number_in_any_case():
@@ -61,9 +72,9 @@ system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
 find: {a: stability, b: {task: eigenstructure}}
 """
     items = items_of(text)
-    told = "\n".join(block.markdown for block in items["a"].question.blocks)
-    assert "whether it is BIBO stable" in told
-    assert r"Here only this is asked: $\text{verdict}$ (the free motion)." in told
+    asked = "\n".join(block.markdown for block in items["a"].question.blocks)
+    assert "whether it is BIBO stable" in asked
+    assert r"Here only this is asked: $\text{verdict}$ (the free motion)." in asked
     assert items["b rest"].question.blocks[-1].markdown == "Say of each vector to which eigenvalue it belongs."
 
 
