@@ -93,8 +93,8 @@ def told_apart(files: tuple[str, ...]) -> tuple[str | None, tuple[str, ...]]:
 
 
 def _holds_answers(file: str) -> bool:
-    """Whether it is an answer file, or a folder of them."""
-    if Path(file).is_dir():
+    """Whether it is an answer file, or a folder or a pattern of them."""
+    if not is_one_file(file):
         return True
     try:
         root = parse_yaml(source_of(file), colonless=True) if file != STANDARD else None

@@ -62,6 +62,13 @@ def test_a_folder_without_answer_files_is_said_to_be_so(solve, folder):
     assert (done.code, "there is no answer file in empty" in done.err) == (2, True)
 
 
+def test_patterns_stand_for_answer_files(solve, folder):
+    text = (folder / "class" / "ada.yaml").read_text(encoding="utf-8")
+    (folder / "class" / "ada.yaml").write_text(f"problem: ../problem.yaml\n{text}", encoding="utf-8")
+    done = solve("check", "class/a*.yaml", "class/[a]da.yaml", "-f", "json")
+    assert [each["file"] for each in json.loads(done.out)] == ["class/ada.yaml"]
+
+
 def test_the_columns_of_the_table_add_up(solve, folder):
     solve("check", "problem.yaml", "class", "--csv", "marks.csv")
     for row in table(folder)[:2]:
