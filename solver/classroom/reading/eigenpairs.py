@@ -18,7 +18,7 @@ from solver.classroom.reading.vectors_told import of_unit_vectors
 
 _VALUE = r"[-+−±\d./√()*\sijI^πe]|sqrt"
 _LAMBDA = r"(?:\\?lam(?:b?d)a|λ|μ|s|z|p)"
-_INDEX = r"_?\{?[\d]*(?:\s*[,/]\s*\d)?\}?"
+_INDEX = r"_?\{?-?[\d]*(?:\s*[,/]\s*\d)?\}?"
 _SEPARATOR = re.compile(
     r"\s*(?P<told>:(?!=)|→|->|⇒|=>|⟹|↦|\|->)\s*|\s*[,;\n]\s*|\s+(?:and|und)\s+"
     r"|\s+(?P<says>gives|yields|is|has|liefert|ergibt|ist|hat)\s+(?:the\s+|den\s+)?"
@@ -37,15 +37,20 @@ _EIGENVALUE = re.compile(
 _WORD = re.compile(r"(?!sqrt)(?<![a-zα-ω])[a-zα-ω]{2,}", re.IGNORECASE)
 _BARE = re.compile(rf"(?:{_VALUE})+")
 _ARGUMENT = re.compile(
-    r"(?:v|w|x|u|q|E|V|N|Eig|eig|ker)\s*_?\s*[({]\s*(?:A\s*[,;]\s*)?"
-    rf"(?:{_LAMBDA}\s*=)?\s*((?:{_VALUE})+?)\s*[)}}]\s*[:=]\s*"
+    rf"(?:v|w|x|u|q|E|V|N|Eig|eig|ker)\s*(?:_?\(\s*(?:A\s*[,;]\s*)?(?:{_LAMBDA}\s*=)?\s*((?:{_VALUE})+?)\s*\)"
+    rf"|_\s*\{{\s*{_LAMBDA}\s*=\s*((?:{_VALUE})+?)\s*\}})\s*[:=]\s*"
 )
 _NAMED = re.compile(rf"\\?[^\W\d_]\w{{0,3}}?({_INDEX})\s*(?::=|=)\s*(?=\S)")
+_NUMBER = re.compile(r"-?\d+")
 _FACTOR = re.compile(r"^[a-zα-ω]_?\d?\s*[*·]?\s*(?=[(\[])")
 _SPAN = re.compile(r"(?:span|lin|LH)\s*(?=[({\[<])", re.IGNORECASE)
 _MAKER = re.compile(r"^(?:\w+\.)*(?:Immutable)?(?:Dense)?(?:[Mm]atrix|n?d?array)\s*\((.*)\)$", re.DOTALL)
 _TURNED = re.compile(r"\s*(?:\.?['’′]|\^\{?\(?\s*(?:T|\\top)\s*\)?\}?|ᵀ|\.T|\^⊤)$")
-_BEHIND = re.compile(rf"\s*\(\s*((?:{_LAMBDA}{_INDEX}\s*=|eigenvalue|eigenwert|EW)[^()]*)\)$", re.IGNORECASE)
+_BEHIND = re.compile(
+    rf"\s*\(\s*(?:(?:zu|zum|for|für|to|bei)\s+)?((?:{_LAMBDA}{_INDEX}\s*=|eigenvalue|eigenwert|EW)[^()]*)\)$",
+    re.IGNORECASE,
+)
+_NEGATIVE = re.compile(r"_\{\s*([-−]\s*[\d.]+)\s*\}")
 _BLANKS = re.compile(r"[^\S\n]+")
 _SIGNS = re.compile(r"[±∓]|\\pm|\\mp")
 MOST_VECTORS = 12
@@ -58,6 +63,11 @@ class Item(NamedTuple):
     kind: str
     text: str
     name: str = ""
+
+
+def with_plain_signs(text: str) -> str:
+    """Return v(-1) for v_{-1}, whose sign is no part of an index of LaTeX."""
+    return _NEGATIVE.sub(r"(\1)", text)
 
 
 def eigenpairs(text: str) -> list[Pair]:
@@ -75,7 +85,7 @@ def eigenpairs(text: str) -> list[Pair]:
     items = list(_items(inside))
     if not items or any(each.kind == "" for each in items):
         return []
-    told = _paired(items)
+    told = _paired(_with_indices(items))
     pairs = [(value, _written_out(vector, len(told))) for value, vector in told]
     if not all(vector for _, vector in pairs):
         return []
@@ -112,7 +122,7 @@ def _said(piece: str, *, told: bool) -> Iterator[Item]:
         yield from _said(piece[: behind.start()], told=False)
         piece = behind[1]
     if found := _ARGUMENT.match(piece):
-        yield Item("value", found[1].strip())
+        yield Item("value", (found[1] or found[2]).strip())
         piece = piece[found.end() :]
     bare = _NAMED.sub("", piece)
     unit = coefficients(bare, "e")
@@ -162,12 +172,9 @@ def _written_out(vector: str, most: int) -> str:
 def _paired(items: Sequence[Item]) -> list[Pair]:
     """Eigenvalues with their vectors: behind the eigenvalue, or before it where a vector comes first."""
     is_value = [each.kind == "value" for each in items]
-    if not any(is_value):
-        return _by_index(items)
     if not is_value[0]:  # (1, -1) for λ = -1
-        alternating = len(items) % 2 == 0 and all(each == (i % 2 == 1) for i, each in enumerate(is_value))
         both = zip(items[::2], items[1::2], strict=False)
-        return [(value.text, vector.text) for vector, value in both] if alternating else []
+        return [(value.text, vector.text) for vector, value in both] if _alternate(items) else []
     pairs, value, last = list[Pair](), Item("", ""), False
     for each, here in zip(items, is_value, strict=True):
         if here and last:
@@ -180,13 +187,21 @@ def _paired(items: Sequence[Item]) -> list[Pair]:
     return [] if last else pairs
 
 
-def _by_index(items: Sequence[Item]) -> list[Pair]:
-    """Vectors whose indices are no numbers 1, 2, …, and so tell eigenvalues: v_5 = (1, 1), v_2 = (1, -2)."""
-    indices = [each.name for each in items]
-    counted = sorted(indices) in ([str(i) for i in range(first, len(items) + first)] for first in (0, 1))
-    if counted or not all(map(str.isdigit, indices)) or len(set(indices)) < len(indices):
-        return []
-    return [(each.name, each.text) for each in items]
+def _alternate(items: Sequence[Item]) -> bool:
+    """Whether each eigenvalue stands behind its one vector."""
+    return len(items) % 2 == 0 and all((each.kind == "value") == (i % 2 == 1) for i, each in enumerate(items))
+
+
+def _with_indices(items: Sequence[Item]) -> list[Item]:
+    """Items with the eigenvalues that are indices, v_5 = (1, 1), v_{-2} = (1, -2), and not just numbers 1, 2, …."""
+    if _alternate(items):
+        return list(items)
+    alone = [each for i, each in enumerate(items) if each.kind == "vector" and (i == 0 or items[i - 1].kind != "value")]
+    indices = [each.name for each in alone]
+    counted = any(sorted(indices) == [str(i) for i in range(first, len(items) + first)] for first in (0, 1))
+    if counted or len(set(indices)) < len(indices) or not all(map(_NUMBER.fullmatch, indices)):
+        return list(items)
+    return [one for each in items for one in ((Item("value", each.name), each) if each in alone else (each,))]
 
 
 def _with_value(vector: str, value: Item) -> str:

@@ -37,6 +37,7 @@ _REMARKS = (
     " decaying distinct simple stabilizing stabilising stabilisierend stabilisierende integrator marginal exact"
     " critical vertical upper lower horizontal lag lead zero zeros asymptote asymptotes one two three corner"
     " golden ratio vector left right half plane halfplane half-plane lhp rhp open linke rechte halbebene"
+    " purely imaginary rein imaginär imaginäre"
 )
 """Words of which remarks in brackets are made that deny nothing."""
 _WORDS = "|".join(sorted(_REMARKS.split(), key=len, reverse=True))

@@ -18,7 +18,7 @@ from solver.classroom.reading import polynomials, words
 from solver.classroom.reading.by_kind import KindReader
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.definitions import own_statement, with_told_names, without_constants
-from solver.classroom.reading.eigenpairs import eigenpairs
+from solver.classroom.reading.eigenpairs import eigenpairs, with_plain_signs
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.general_forms import is_general
 from solver.classroom.reading.labels import (
@@ -88,7 +88,7 @@ class Reader:
         self.expected, written = expected, node
         node = prepared(node, ours, self.expected.name)
         source = written if isinstance(written, ScalarNode) else node
-        if expected.paired and (pairs := eigenpairs(plainly(typed(source)))):
+        if expected.paired and (pairs := eigenpairs(plainly(with_plain_signs(typed(source))))):
             return self._vectors_of(pairs, node, ours)
         if symbols_of(ours) and (found := self._with_told_names(node, ours)):
             return self._one_of([replace(each, respelt=True, typed=typed(written)) for each in found])

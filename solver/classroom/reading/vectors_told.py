@@ -28,6 +28,7 @@ _KIND = re.compile(
     r"|\s*[,;(]\s*[a-zα-ω]_?\d?\s*(?:≠|!=|\\neq?)\s*0\s*\)?\s*$",
     re.IGNORECASE,
 )
+_OF_EIGENVALUE = re.compile(r"(?:(?:zu|for|für|to|bei)\s+)?(?:λ|\\lambda)_?\{?([1-9₁-₉])\}?\s*:\s*(?=[(\[])")
 _BARRED = re.compile(r"\([^()|,;]+(?:\|[^()|,;]+)+\)")
 _BOTH = re.compile(r"\s*(?:v\w*\s*=\s*)?([(\[][^()\[\]]*[)\]])\s*±\s*[ij]\s*[*·]?\s*([(\[][^()\[\]]*[)\]])\s*")
 _ENTRIES = re.compile(r"\s*[,;]\s*|\s+")
@@ -36,8 +37,11 @@ MOST_ENTRIES = 9
 
 
 def without_kinds(text: str) -> str:
-    """Return vectors without what is said of their kind, e2 (generalized), or of their factors, c ≠ 0."""
-    return _KIND.sub("", text)
+    """Return vectors without what is said of their kind, e2 (generalized), or of their factors, c ≠ 0.
+
+    Those that are told for λ1 and λ2, whose values stand elsewhere, are v1 and v2.
+    """
+    return _OF_EIGENVALUE.sub(lambda found: f"v{with_plain_indices(found[1])} = ", _KIND.sub("", text))
 
 
 def with_commas(text: str) -> str:
