@@ -37,6 +37,8 @@ FROM_THE_FILE = [
     ("stability_range", {"A": [[0, 1], [-2, -3]]}, {"parameters": "x1"}, "x1 is no parameter of the system"),
     ("controllability", {"polynomial": "s + 1"}, {}, "needs B; the system is given by its characteristic polynomial"),
     ("matrix_function", WIDE, {"function": "A^2"}, "square"),
+    ("matrix_function", STABLE, {"function": "x^4"}, "a function of the matrix is expected here, in A"),
+    ("matrix_function", STABLE, {"function": "2"}, "a function of the matrix is expected here, in A"),
     ("controllability", {"A": [[0, 1], [-2, -3]]}, {}, "needs B"),
     ("observability", {"A": [[0, 1], [-2, -3]], "B": [[0], [1]]}, {}, "needs C"),
     ("lqr", {"A": [[0, 1], [0, 0]]}, {"Q": [[1, 0], [0, 1]], "R": 1}, "needs B"),

@@ -18,6 +18,7 @@ from solver.derivation import (
     Claim,
     Derivation,
     Given,
+    Refusal,
     Step,
     Task,
     option,
@@ -40,7 +41,7 @@ from solver.words import Phrase, Reason
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-    from solver.systems import StateSpace
+    from solver.systems import StateSpace, System
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,6 +72,13 @@ matrix_function: Task[StateSpace, MatrixFunctionOptions] = Task(
         )
     ],
 )
+
+
+@matrix_function.refusal
+def not_of_the_matrix(_: System, options: MatrixFunctionOptions) -> Iterable[Refusal]:
+    """A function of other names alone."""
+    if "function" not in options.later and not options.function.free_symbols & set(sp.symbols("A, I")):
+        yield "function", Reason("functions/not_of_the_matrix")
 
 
 def _asked(given: Given[StateSpace, MatrixFunctionOptions]) -> Expr:
