@@ -56,7 +56,8 @@ class ObjectPrinter:
     numbers: NumberFormat
 
     def _print(self, expr: Any) -> Row:
-        shown: Row = getattr(self, _method_for(type(self), type(expr)))(expr)
+        name = _method_for(type(self), type(expr))  # type: ignore[arg-type]  # mypy takes classes for not hashable
+        shown: Row = getattr(self, name)(expr)
         return shown
 
     @staticmethod
