@@ -119,7 +119,8 @@ def verdict_of(part: Work, say: Say) -> str:
     passed = sum(row.status is CheckStatus.PASSED for row in part.rows)
     counted = Phrase("{passed} of {count} checks passed", passed=passed, count=len(part.rows))
     checks = say(counted) if part.rows else ""
-    more = "; ".join(filter(None, [inline_as_text(part.reason), checks, inline_as_text(part.unchecked)]))
+    told = filter(None, [inline_as_text(part.reason), checks, inline_as_text(part.unchecked)])
+    more = "; ".join(each.removesuffix(".") for each in told)
     return f"{say(part.status)}: {more}" if more else say(part.status)
 
 
