@@ -25,11 +25,13 @@ _TOLD = re.compile(
     rf"^\(?\s*(?P<name>\\?{_WORD})\s*(?:\(\s*(?P<argument>{_WORD})\s*\))?\s*(?P<squared>\^\s*2|²)?\s*(?::=|=(?![=>]))\s*"
     rf"(?:(?P<named>{_WORD}\s*\([\d+]*\)|[-+−]?\d+(?:\s*/\s*\d+)?)\s*=\s*)?(?P<value>[^=<>≤≥]+)$"
 )
-_HEAD = re.compile(rf"^(?:\s*{_WORD}\s*(?:\(\s*\w\s*\))?\s*=)?")
+_HEAD = re.compile(rf"^(?:\s*{_WORD}\s*(?:\(\s*[\w∞]+[+⁺]?\s*\))?\s*(?:²|\^\s*2)?\s*=)?")
 """The label of a statement, where it has one."""
+_FOUND_BY = re.compile(rf"^{_WORD}['′]*\s*\(\s*\d\s*\)\s*=")
+"""The values at the beginning, x(0) = C1 + C2 = 2."""
 _SHARED = re.compile(rf"^({_WORD})\s*=\s*(?={_WORD}\s*=)")
 """C1 = C2 = 1."""
-_LABELLED = re.compile(rf"^\\?{_WORD}\s*(?:\(\s*{_WORD}\s*\))?\s*=(?![=>])")
+_LABELLED = re.compile(rf"^\\?{_WORD}\s*(?:\(\s*[\w∞]+[+⁺]?\s*\))?\s*=(?![=>])")
 _BETWEEN = re.compile(
     r"\s*(?:=>|⇒|⟹|→|->|\\Rightarrow|(?<!\d),|,(?!\d)|[;:\n](?!=)|\b(?:with|where|mit|wobei|and|und|hence|thus|so|also|damit|somit)\b)\s*"
 )
@@ -91,6 +93,7 @@ def with_told_names(text: str, own: Collection[str], known: Collection[str]) -> 
     solved = not own and any("=" in _HEAD.sub("", piece) for piece in said)  # λ^2 = 4, λ = 2
     if not told or not said or solved or len(told) > MOST_NAMES:
         return ""
+    said = [piece for piece in said if not _FOUND_BY.match(piece) and not _is_about(piece, told, known)]
     return ", ".join(filter(None, (_put(piece, told, known) for piece in _joined(said))))
 
 
@@ -148,6 +151,12 @@ def _number(text: str) -> Fraction | None:
         return None
 
 
+def _is_about(piece: str, told: Collection[str], known: Collection[str]) -> bool:
+    """Whether a statement is an equation for what is told and nothing else: A + B = 1."""
+    words = [word for found in _NAMES.finditer(piece) for word in _cut(found[0], told, known)]
+    return "=" in piece and bool(words) and all(word in told for word in words)
+
+
 def _joined(said: list[str]) -> list[str]:
     """What is said, with remarks that are no statements of their own beside what they belong to."""
     whole: list[str] = []
@@ -174,28 +183,42 @@ def _put(text: str, told: Mapping[str, Told], known: Collection[str]) -> str:
 
 def _replaced(text: str, told: Mapping[str, Told], known: Collection[str]) -> str:
     """A text with each name that is told once replaced; "" where it is not clear what a sign before it takes."""
-    pieces, at = [], 0
+    pieces, at, length = [], 0, 0
     for found in _NAMES.finditer(text):
+        if length > MAX_CHARACTERS:
+            return ""
         words = _cut(found[0], told, known)
         if found.start() < at or not any(word in told for word in words) or _DASHED.match(text, found.end()):
             continue
         before, end = text[: found.start()], found.end()
+        values = [told[word].value if word in told else word for word in words]
         last = told.get(words[-1])
         if last and last.argument and text[end : end + 1] == "(":
             inside = {last.argument: Told(text[end + 1 : matching(text, end)])}
-            told = {**told, words[-1]: Told(_replaced(last.value, inside, known))}
+            values[-1] = _replaced(last.value, inside, known)
             end = matching(text, end) + 1
-        values = [told[word].value if word in told else word for word in words]
         if len(values) == 1 and _alone(before, values[0], text[end:]):
             product = values[0]
         elif _TIGHT.search(before) and len(values) == 1 and _GOES_ON.match(text, end):
             return ""
         else:
-            product = " ".join(_in_brackets(told[word].value) if word in told else word for word in words)
-            product = f"({product})" if len(values) > 1 and _TIGHT.search(before) else f" {product} "
+            product = " ".join(
+                _in_brackets(value) if word in told else word for word, value in zip(words, values, strict=True)
+            )
+            product = (
+                f"({product})" if len(values) > 1 and _TIGHT.search(before) else _apart(before, product, text[end:])
+            )
         pieces += [text[at : found.start()], product]
+        length += len(product)
         at = end
     return "".join([*pieces, text[at:]])
+
+
+def _apart(before: str, product: str, after: str) -> str:
+    """A product with spaces where it would else be one word or a call with what stands beside it."""
+    left = " " if re.search(r"[\w.)\]]$", before) else ""
+    right = " " if re.match(r"[\w(\[]", after) and not re.match(rf"[{_RAISED}]", after) else ""
+    return f"{left}{product}{right}"
 
 
 def _in_brackets(value: str) -> str:
@@ -215,7 +238,7 @@ def _alone(before: str, value: str, after: str) -> bool:
 
 def _used(text: str, names: Collection[str], known: Collection[str]) -> set[str]:
     """Those of some names that stand in a text, but in the label before it, or as a derivative."""
-    label = re.match(rf"^\s*{_WORD}\s*(?:\(\s*\w\s*\))?\s*(?:²|\^\s*2)?\s*=", text)
+    label = _HEAD.match(text)
     found = [each for each in _NAMES.finditer(text, label.end() if label else 0) if not _DASHED.match(text, each.end())]
     return {word for each in found for word in _cut(each[0], names, known)} & {*names}
 

@@ -18,7 +18,7 @@ _OF_SUM = re.compile(r"(?<!\w)(?:\(d\)|d)\s*/\s*(?:\(d\s*t\)|d\s*t)\s*[*·]?\s*\
 _TERM = re.compile(r"\s*(?P<factor>[-+−]?[^'′″’]*?)(?P<x>[^\W\d_]\w*)(?P<primes>['′″’]+)\s*")
 _SUMMAND = re.compile(r"[-+−]?[^-+−]+")
 _PRIMES = re.compile(r"([^\W\d_]\w*)(['′″’]+)")
-_SIGNAL = re.compile(r"(?<![A-Za-z_])([A-Za-z]\w*)\(\s*[tk]\s*\)")
+_SIGNAL = re.compile(r"(?<![^\W\d])([^\W\d_]\w*)\(\s*[tk]\s*\)")
 _NAMES = re.compile(r"[^\W\d_]\w*")
 _VARIATION = re.compile(r"(?:δ|(?<![A-Za-z_])delta[ _*])\s*([^\W\d_](?:\w*\d)?(?:_d?dot)?)(?![^\W_])")
 _DOTTED = re.compile(r"([^\W\d_])((?:_d*dot)?)")
@@ -59,8 +59,8 @@ def with_derivatives(text: str, names: Names) -> str:
         return f"({meant})" if meant in names.symbols else found[0]
 
     def signal(found: re.Match[str]) -> str:
-        known = found[1] in names.symbols or f"{found[1].replace('_', '')}" in names.symbols
-        return found[1] if known and found[1] not in FUNCTIONS else found[0]
+        known = {_latin(found[1]), found[1].replace("_", "")} & {*names.symbols}
+        return found[1] if known and _latin(found[1]) not in FUNCTIONS else found[0]
 
     text = _QUOTIENT.sub(quotient, _of_sums(text, names))
     return _SIGNAL.sub(signal, _PRIMES.sub(derivative, text))

@@ -9,10 +9,10 @@ import re
 
 from solver.classroom.reading.labels import Labels
 
-_LOOP = re.compile(r"([A-Z]\w*)(?:\([sz]\))?\s*/\s*\(\s*1\s*\+\s*\1(?:\([sz]\))?\s*\)")
-_FOUND_BY = re.compile(r"\b(?:tr|trace|sp|spur|det)\s*\(?\s*A\b|\bd\s*/\s*d\s*[sz]\b|[∂∫∑Σ]", re.IGNORECASE)
+_LOOP = re.compile(r"([A-Z]\w*(?:\s*[*·]?\s*[A-Z]\w*)*)(?:\([sz]\))?\s*/\s*\(\s*1\s*\+\s*\1(?:\([sz]\))?\s*\)")
+_FOUND_BY = re.compile(r"\b(?:tr|trace|sp|spur|det)\s*\(?\s*A\b|\bd\s*/\s*d\s*[sz]\b|[∂∫∑Σ…]|\.{3}", re.IGNORECASE)
 _NAMES = re.compile(r"(?<![^\W_\d])[^\W\d_][^\W_]*(?:_\w+)?")
-CONSTANT = re.compile(r"(?:[A-F]|[ABCKRckr]_?\d|[αa]_?\d)(?=[e-z]?$)")
+CONSTANT = re.compile(r"(?:[A-F]|[ABCKRckr]_?\d|[αaΔ]_?\d|Delta_?\d)(?=[e-z]?$)")
 """Names of the constants of partial fractions and of general solutions."""
 
 

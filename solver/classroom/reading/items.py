@@ -17,6 +17,10 @@ from solver.problem.nodes import Node, ScalarNode, SequenceNode
 _PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
 _COUNTS = tuple(map(str, range(1, 10)))
 _DOTS = re.compile(r"\s*[,;]?\s*(?:\.{2,}|…|\\[lc]?dots|etc\.?|usw\.?)\s*([\])}]?)\s*$")
+_CHAIN = re.compile(r"([^=,;\n]+)=((?:(?!\b(?:and|und)\b)[^=,;\n])+)=([^=,;\n]+)")
+_WORDS = re.compile(r"[^\W\d]\w*")
+_AT_END = re.compile(r"\s*[^\W\d]\w*['′]?\s*\(\s*(?:[\d.]+|T|t_?f)\s*\)\s*=")
+"""What holds at an end, P(2) = 0, beside an equation."""
 _NUMBERED = re.compile(r"\s*(?:\((\d|[iI]{1,3}|[iI][vV]|[a-h])\)|(\d|[iI]{1,3}|[iI][vV]|[a-h])[:.)])\s+")
 """(1) m x'' = F, (2) …"""
 _BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
@@ -72,12 +76,16 @@ def without_dots(node: Node) -> Node:
 def as_differences(node: Node) -> Node:
     """Return expressions that are zero with left − right in place of an equation left = right, without its number."""
     if isinstance(node, SequenceNode):
+        ends = [item for item in node.items if isinstance(item, ScalarNode) and _AT_END.match(item.text)]
+        node = SequenceNode(node.place, tuple(item for item in node.items if item not in ends))
         numbered = [_NUMBERED.match(item.text) if isinstance(item, ScalarNode) else None for item in node.items]
         if len(numbered) > 1 and [each and (each[1] or each[2]) for each in numbered] in _numberings(len(numbered)):
             bare = [typed(item)[each.end() :] for item, each in zip(node.items, numbered, strict=True) if each]
             node = SequenceNode(node.place, tuple(ScalarNode(node.place, each, "quoted") for each in bare))
         return SequenceNode(node.place, tuple(map(as_differences, node.items)))
     text = node.text.replace("==", "=") if isinstance(node, ScalarNode) else ""
+    if (chain := _CHAIN.fullmatch(text)) and {*_WORDS.findall(chain[2])} - {*_WORDS.findall(chain[1] + chain[3])}:
+        text = f"{chain[1]} = {chain[3]}"  # -P' = Q - P B R^-1 B P = 1 - P^2
     if text.count("=") != 1 or not isinstance(node, ScalarNode):
         return node
     left, right = text.split("=")

@@ -23,8 +23,9 @@ _NAME = re.compile(
     re.DOTALL,
 )
 _RANGE = re.compile(
-    r"\s*[,;]?\s*\(?(?:\\quad\s*|\\text\{[^{}]*\}\s*|for|für|if|where|when|with|wenn)?\s*"
-    r"\b(?:[tkn]\s*(?:>=?|≥|\\geq?\b)\s*0|[kn]\s*=\s*0\s*,\s*1\s*(?:,\s*2\s*)?,?\s*(?:\.{3}|…|\\l?dots))\s*\)?\s*[.$]?\s*$"
+    r"\s*[,;]?\s*(?:\b(?:for all|für alle)\s+[tkn]\s*\.?$"
+    r"|\(?(?:\\quad\s*|\\text\{[^{}]*\}\s*|for|für|if|where|when|with|wenn)?\s*"
+    r"\b(?:[tkn]\s*(?:>=?|≥|\\geq?\b)\s*0|[kn]\s*=\s*0\s*,\s*1\s*(?:,\s*2\s*)?,?\s*(?:\.{3}|…|\\l?dots))\s*\)?\s*[.$]?\s*$)"
 )
 _MULTIPLE = re.compile(
     r"^(.*?[^\s(,])\s*(?:\(?\s*(?:(?:is|ist)\s+(?:an?|eine?)\s+)?(?:double(?: root| pole| zero| eigenvalue)?|twice"
@@ -36,7 +37,6 @@ _MULTIPLE = re.compile(
     re.IGNORECASE,
 )
 _INVERTED = re.compile(r"\s*[UR]\w*(?:\(\w\))?\s*/\s*[YXE]")
-_SIMPLE = ("once", "simple", "einfach")
 MOST_TIMES = 24
 _NUMBERED = re.compile(r"((?:(?![₀-₉])[^\W\d_])+)_?(\d|[₀-₉])")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -55,6 +55,7 @@ _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
 _CHANGES = re.compile(
     r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp(?!\((?:A\s*[*·]?\s*[tT]|t\s*[*·]?\s*A)\)))\s*\("
+    r"|\s*(?:log|ln|exp|sqrt)\s+[^\W\d]"
 )
 _DEFINED = re.compile(
     r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)'?|adj\s*/\s*det|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
@@ -71,7 +72,8 @@ _FOUND_BY = re.compile(
     r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|exp(?=\((?:A\s*[*·]?\s*t|t\s*[*·]?\s*A)\))|charpoly|poly|minreal|tf|ss2tf|step|lim)\b"
 )
 _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
-_DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
+_DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿḟġḣṁṅȯṗṙṡṫẇżḞĠḢṖẊẎẌŸ]")
+_SIMILAR = re.compile(r"\s*(?:(?:T\s*\^[({]?-1[)}]?|inv\(T\)|T\s*\\)\s*\*?\s*(?:A\s*\*?\s*T|B)|C\s*\*?\s*T)\s*")
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
 _WORDS = re.compile(r"[^\W\d]\w*")
 _DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
@@ -270,7 +272,7 @@ def _repeated(item: str) -> list[str]:
 
 def _times(said: str) -> int:
     """How often a value counts that is said to be double, triple or simple."""
-    return 1 if said.endswith(_SIMPLE) else 3 if said.endswith(("triple", "dreifach")) else 2
+    return 1 if said.endswith(("once", "simple", "einfach")) else 3 if said.endswith(("triple", "dreifach")) else 2
 
 
 def _spellings(answer: AnswerName) -> set[str]:

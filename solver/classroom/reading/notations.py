@@ -99,6 +99,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\bexp\s*\^", "e^"),
         (r"\barc(?=(?:sin|cos|tan)\b)", "a"),
         (r"((?<![A-Za-z_])[a-z]|[)\]])\s+(\d+(?:\.\d+)?\^)", r"\1*\2"),  # k 3^(k-1), (1 + k) 0.5^k, Sqrt[6] 3^(1/4)
+        (r"([)\]])\s+(\d+(?:\.\d+)?/)", r"\1*\2"),  # exp(-s) 1/(s + 2)
         (rf"(?<![A-Za-z_])({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
         (rf"(?<![A-Za-z_])(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
         (r"(?<![\w)\]])([a-zA-Z])\[\s*([kn](?:\s*[-−+]\s*\d+)?)\s*\]", r"\1(\2)"),  # u[n] of a sequence

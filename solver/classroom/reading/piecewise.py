@@ -22,6 +22,8 @@ _PIECE = re.compile(rf"^(.+?)\s+(?:{_FOR})\s+(.*\bt\b.*|otherwise|sonst|else)$"
                     re.DOTALL)  # fmt: skip
 _REST = re.compile(r"^([^<>≤≥]+?)\s*,?\s+(?:otherwise|sonst|else)\s*\.?$")
 _ELSE = re.compile(r"^(?:otherwise|sonst|else)\s*[:,]?\s+([^<>≤≥]+?)\s*\.?$")
+_CONDITIONAL = re.compile(r"^(.+)\s+if\s+([^<>≤≥]*[<>≤≥][^<>≤≥]*?)\s+else\s+([^<>≤≥]+)$")
+"""f if t < 1 else g, of Python."""
 _AFTER_RANGE = re.compile(
     r"\s*\(\s*(?:for |für |if |wenn )?([^()<>≤≥]*[<>≤≥][^()]*?)\s*[,;]\s*"
     r"((?:sonst|otherwise|else)[^()]*|[^(),;]*(?:sonst|otherwise|else))\s*\)\s*$"
@@ -64,6 +66,7 @@ def _pairs(text: str) -> list[tuple[str, str]]:
         lines = [re.split(r"&", line) for line in found[2].split("\\\\") if line.strip()]
         return [(line[0].strip().rstrip(","), line[1].strip()) for line in lines if len(line) == 2] if all(
             len(line) == 2 for line in lines) else []  # fmt: skip
+    text = _CONDITIONAL.sub(r"\1 for \2, \3 otherwise", text)
     text = _AFTER_RANGE.sub(r" for \1, \2", text)
     head, _, rest = text.partition("=")
     if rest and _LABEL.match(f"{head}=") and not rest.startswith("=") and head.strip()[-1:] not in "<>":

@@ -44,11 +44,13 @@ MOST_CHARACTERS = 2000
 """Longer texts are no matrices told otherwise."""
 _DIGITS = re.compile(r"[\d⁰¹²³⁴-⁹]{1,2}")
 _QUOTED = re.compile(r"^\s*[“”„«»‘’‚\"`]([^“”„«»`]*)[“”«»‘’\"`]\s*$|(?<=[\])'])\s*;+\s*$", re.DOTALL)
-_REPORT = re.compile(
+_BELOW = re.compile(
     r"(?:\s+Sample time: [\d.]+ (?:seconds|s))?\s+(?:# )?(?:Continuous|Discrete)-time "
     r"(?:transfer function|zero/pole/gain model)\.?\s*(?:Model Properties\s*)?$"
+    r"|\s*\((?:check|probe|test|kontrolle)\b[^()]*(?:\([^()]*\)[^()]*)*\)\s*\.?$",
+    re.IGNORECASE,
 )
-"""What MATLAB says below a transfer function."""
+"""What MATLAB says below a transfer function, or how a value was checked."""
 _SLASH = re.compile(r"\s//?\s")
 _WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{3,}")
 
@@ -60,7 +62,7 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
         node = _quotient(node) or node
     text = typed(node)
-    bare = _QUOTED.sub(lambda found: found[1] or "", _REPORT.sub("", text))
+    bare = _QUOTED.sub(lambda found: found[1] or "", _BELOW.sub("", text))
     if isinstance(node, ScalarNode) and bare != text:
         node, text = ScalarNode(node.place, bare, "quoted"), bare
     if isinstance(node, ScalarNode) and (bare := without_limit(text, name)) != text:

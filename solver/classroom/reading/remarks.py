@@ -24,7 +24,7 @@ _SAMPLED = re.compile(
     r"(?:T(?:_?\{?[sSaA0]\}?)?|h|dt)\s*=\s*[\d.]+\s*(?:s|sec|ms|seconds?)?\s*\)?\s*\.?$"
 )
 _HORIZON = re.compile(r"\s*,?\s*\(?(?:for|für|,)?\s*0\s*(?:<=?|≤)\s*t\s*(?:<=?|≤)\s*[\w./π√]+\s*\)?\s*\.?$")
-_CONSTANT = re.compile(r"\s*(?:=|,|\()\s*(?:const(?:ant)?|konst(?:ant)?)\b\.?\)?\s*$")
+_CONSTANT = re.compile(r"\s*(?:=|,|\()\s*(?:const(?:ant)?|konst(?:ant)?)\b\.?\)?\s*(?=[,;]|$)")
 _TRANSFORMED = re.compile(
     r"^\s*(?:\\mathcal\s*\{?\s*[LZ]\s*\}?|\\mathscr\s*\{?\s*[LZ]\s*\}?|[LZℒ𝒵])\s*(?P<inverse>\^\s*\{?\(?\s*[-−]\s*1\s*\)?\}?|⁻¹)?"
     r"\s*\\?[{\[(][^=]*?[}\])]\s*=\s*(?=\S)"

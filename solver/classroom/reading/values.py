@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
+from unicodedata import normalize
 
 import sympy as sp
 
@@ -56,6 +57,8 @@ _VALUE_AT = re.compile(r"[A-Z]\w?\s*\(\s*[\d.j∞]+\s*\)")
 """G(0), which is the value of a function and no product."""
 VARIABLES = {"s", "z", "t", "k", "lamda"}
 """Letters of functions: what is labelled with another argument is another function."""
+_WORDS = re.compile(r"[^\W\d]\w*")
+_DOT = re.compile(r"_d*dot$")
 MOST_LAYERS = 2
 """Sentences within sentences that are gone into."""
 
@@ -177,7 +180,8 @@ class Reader:
     def _as_function(self, node: ScalarNode, ours: Mapping[Any, Any]) -> list[Submitted]:
         """The solution for one unknown read as a function with the unknown as its label."""
         ((name, own),) = ours.items() if len(ours) == 1 else ((None, None),)
-        if not symbols_of(own):
+        told = re.search(rf"(?<!\w){re.escape(str(name))}(?!\w)", node.text) or "=" not in node.text
+        if not symbols_of(own) or not told:
             return []
         expected = Expected(str(name), Labels(AnswerName(str(name), str(name), "")))
         reader = Reader(self.names, discrete=self.discrete, decimal_comma=self.decimal_comma)
@@ -197,10 +201,13 @@ class Reader:
 
     def _last_side(self, node: ScalarNode, ours: Any) -> list[Submitted]:
         """What stands behind the last sign of equality, where no other side is another value. Raises Fault."""
+        if isinstance(ours, Mapping) or self.expected.zero:
+            return []
         sides = sides_of(node.text)
         of_a_variable = isinstance(ours, sp.Expr) and bool({x.name for x in symbols_of(ours)} & VARIABLES)
         end = self.expected.name in ("y_final", "y_peak")
-        if sides and of_another_argument(f"{sides[0]} = 0", of_a_variable=of_a_variable, at_its_end=end):
+        other = bool(sides) and of_another_argument(f"{sides[0]} = 0", of_a_variable=of_a_variable, at_its_end=end)
+        if other or (of_a_variable and any(map(self._is_of_own, sides[:-1]))):
             return []
         if polynomials.variable_of(ours) is not None and sides and sides[-1] == "0":
             sides = sides[:-1]
@@ -226,6 +233,15 @@ class Reader:
         named = values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours)
         named = named or (bool(symbols_of(ours)) and is_general(sides[0], self.expected.labels))
         return last if named or polynomials.compares(ours, found[0], known) else []
+
+    def _is_of_own(self, side: str) -> bool:
+        """Whether a side is another quantity that is made of the one asked for: t f(t), dy/dt, 2 y; no loop of G."""
+        labels = self.expected.labels
+        if not labels.before(f"{side} = 0")[0] or is_general(side, labels):
+            return False
+        words = [_DOT.sub("", word) for word in _WORDS.findall(normalize("NFD", side))]
+        words += [word[1:] for word in words if word[0] == "d" and len(word) > 1]
+        return any(not word[-1].isdigit() and not labels.before(f"{word} = 0")[0] for word in words)
 
     def _is_formula(self, text: str, ours: Any) -> bool:
         """Whether a text says how a number is found from other quantities: exp(-πζ/√(1-ζ²)), 1/K_v."""
