@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading import counts, polynomials, units, words
+from solver.classroom.reading import counts, in_order, polynomials, units, words
 from solver.classroom.reading import items as listed
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.likeness import is_condition
@@ -116,8 +116,8 @@ class KindReader:
         if isinstance(node, SequenceNode) and all(isinstance(item, MappingNode) for item in node.items):
             listed = [entry for item in node.items if isinstance(item, MappingNode) for entry in item]
             node = MappingNode(node.place, {entry.key.text: entry for entry in listed})
-        if not isinstance(node, MappingNode):
-            node = mapped(node, typed(node)) or node
+        node = node if isinstance(node, MappingNode) else mapped(node, typed(node)) or node
+        node = in_order.named(node, ours, self.expected.name)
         if not isinstance(node, MappingNode):
             raise node.fault("names with their values are expected here, such as {x: 1, y: 2}")
         read = dict(self._entry(entry.key, entry.value, ours) for entry in node)
@@ -250,7 +250,7 @@ class KindReader:
     def _count(self, node: ScalarNode) -> ScalarNode:
         """A whole number in digits, where it is said in words; raises Fault where a full one cannot be told."""
         asked = self.expected
-        said = counts.counted(node.text, asked.name, asked.most) if asked.count else counts.count(node.text)
+        said = counts.said(node.text, asked.name, asked.most, things=asked.count)
         if said is None:
             raise node.fault("it is not clear which number is meant")
         return node if said == node.text else ScalarNode(node.place, said)

@@ -22,10 +22,24 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     (re.compile(pattern, re.IGNORECASE), change)
     for pattern, change in (
         (r"^\s*∀\s*", ""),
+        (r"^\s*(?:not possible|impossible|nicht möglich|unmöglich|never(?: stable)?|nie stabil"
+         r"|unstable for (?:all|any) \w+)\s*[,;(:–—]\s*(?:since|because|as|da|weil|denn)\b.*$", "never"),
+        (r"^\s*(?:always(?: stable)?|immer stabil|stable for all \w+)\s*[,;(:–—]\s*"
+         r"(?:since|because|as|da|weil|denn)\b.*$", "always"),
+        (r"^\s*(?:for |für )?(?:all |alle )?(?:real |reellen? )?[A-Za-z]\w*\s*(?:∈|\\in\b|\bin\b)\s*"
+         r"(?:ℝ|R|reals?|\\mathbb\s*\{?R\}?)\s*$", "always"),
         (r"^\s*(?:none|there is no(?: such)?(?: value of)? [A-Za-z]\w*|not stable for any [A-Za-z]\w*"
          r"|impossible|unmöglich|keine? werte? (?:von|für) [A-Za-z]\w*)\s*$", "never"),
         (r"\s*,?\s*\(?(?:strictly|streng)\)\s*$", ""),
-        (r"\s*[,;]\s*(?:otherwise|else|sonst) (?:unstable|instabil)\s*$", ""),
+        (r"\s*[,;]\s*(?:and |und )?(?:(?:otherwise|else|sonst) (?:it is )?(?:unstable|instabil)"
+         r"|(?:unstable|instabil) (?:otherwise|else|sonst))\s*\.?\s*$", ""),
+        (r"\s*,?\s*\(?\b(?:for|für) (?:asymptotic |asymptotische |closed-loop )?(?:stability|stabilität)\)?\s*\.?\s*$",
+         ""),
+        (r"^\s*(?:for|für) (?:asymptotic |asymptotische |closed-loop )?(?:stability|stabilität)\s*[:,]?\s*(?=\S)", ""),
+        (r"\b(?:must|has to|have to|should|muss|soll)\s+(?:be |lie |liegen )?(?=between\b|in\b|zwischen\b)", ""),
+        (r"\b(?:muss|soll)\s+(?=(?:zwischen|between)\b)", ""),
+        (r"([A-Za-z]\w*)\s*<\s*min\s*[({]([^(){},]+),([^(){},]+)[)}]", r"\1 < \2 and \1 <\3"),
+        (r"max\s*[({]([^(){},]+),([^(){},]+)[)}]\s*<\s*([A-Za-z]\w*)", r"\1 < \3 and \2 < \3"),
         (r"(?<=\d)\s*[,;]\s*(?:and |und )?(?:marginally stable|grenzstabil|unstable|instabil)\s+"
          r"(?:for|für|if|at|bei)\s+[^,;]*$", ""),
         (r"\b(?:has|needs|have|ought) to be\b|\bshould be\b", "must be"),

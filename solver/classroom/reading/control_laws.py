@@ -15,7 +15,15 @@ _SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _EACH = re.compile(r"\s*u_?([1-9])(?:\([tk]\)|\[k\])?\s*=\s*(.+)", re.DOTALL)
 _BETWEEN = re.compile(r"\s*[,;\n]\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+")
-_PARAMETER = re.compile(r"([KT])_?\{?([pPidIDnNvV])\}?\s*=\s*([\d./√]+)\s*(?:s|sec)?")
+_FACTOR = re.compile(r"^([\d./]+)\s*[*·]?\s*[(\[]")
+_PARAMETER = re.compile(r"([KT])_?\{?([pPidIDnNvV])\}?\s*=\s*(?:([\d./√]+)\s*(?:s|sec)?|([^=]+))")
+_ERROR = r"e(?:\([tτ]\)|\(\\?tau\))?"
+_LAW_OF_ERROR = re.compile(
+    rf"\s*([-+]?)\s*(.*?)\s*[*·]?\s*(?:(?P<sum>(?:∫|\\int|integral|int)\s*(?:_\{{?0\}}?\s*\^\{{?t\}}?\s*|\(?(?=\s*e))\s*{_ERROR}\)?"
+    rf"(?:\s*\\?,?\s*d\s*\\?(?:t|τ|tau))?)|(?P<rate>(?:d\s?{_ERROR}\s*/\s*d\s?t|d\s*/\s*d\s?t\s+{_ERROR}|ė|e'|\\dot\{{?\s?e\}}?"
+    rf"|e_dot)(?:\(t\))?)|{_ERROR})\s*"
+)
+_CORRECTED = re.compile(r"(K|T|α|alpha|a|\\alpha)\s*=\s*(?:([\d./√]+)\s*(?:s|sec)?|([^=]+))")
 _ACTIONS = {"KI": "{}/s", "KD": "{}*s", "TI": "1/({}*s)", "TN": "1/({}*s)", "TD": "{}*s", "TV": "{}*s"}
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
 _AT = r"(?:\(\s*{0}\s*\)|\[\s*{0}\s*\]|_\{{\s*{0}\s*\}}|_{0})"
@@ -72,12 +80,14 @@ def law_of(text: str) -> str:
 
 
 def coefficients_of(text: str) -> str:
-    """Return [q0, q1, q2] of u(k) = u(k-1) + q0 e(k) + q1 e(k-1) + q2 e(k-2); "" of any other text."""
-    found = _DIFFERENCES.match(text.translate(_BELOW))
-    if found is None:
+    """Return [q0, q1, q2] of u(k) = u(k-1) + q0 e(k) + q1 e(k-1) + q2 e(k-2), or of what is added; else ""."""
+    text = text.translate(_BELOW)
+    found = _DIFFERENCES.match(text)
+    if found is None and "=" in text:
         return ""
-    law = re.sub(r"([kn])\s*-\s*(?=\d)", r"\1-", found[2].strip().rstrip("."))
-    listed_terms, named, before = terms(law), dict[int, str](), bool(found[1])
+    law = re.sub(r"([kn])\s*-\s*(?=\d)", r"\1-", (found[2] if found else text).strip().rstrip("."))
+    named, before = dict[int, str](), found is None or bool(found[1])
+    listed_terms = terms(law)
     for term in listed_terms:
         match = _SAMPLE.match(term)
         if match is None:
@@ -97,10 +107,46 @@ def coefficients_of(text: str) -> str:
 
 
 def controller_of(text: str) -> str:
-    """Return the controller of K_p = 3, T_i = 1, T_d = 0.25, or of K_p, K_i and K_d; "" of any other text."""
+    """Return the controller of what a law or parameters say; "" of any other text."""
+    return _of_parameters(text) or _of_law(text) or _of_differences(text) or _of_corrections(text)
+
+
+def _of_law(text: str) -> str:
+    """The controller of u = 3 e + 2 ∫ e dt + de/dt."""
+    found = _LAW.match(text)
+    if found is None:
+        return ""
+    law, before = found[1].strip().rstrip(".").replace("−", "-"), ""
+    if (factor := _FACTOR.match(law)) and matching(law, factor.end() - 1) == len(law) - 1:
+        before, law = f"({factor[1]})*", law[factor.end() : -1]
+    found_in = [_LAW_OF_ERROR.fullmatch(each) for each in terms(law)]
+    known = [(each, "/s" if each["sum"] else "*s" if each["rate"] else "") for each in found_in if each]
+    if len(known) < len(found_in) or len({action for _, action in known}) < len(known):
+        return ""
+    return f"{before}({' + '.join(f'({each[1]}({each[2].strip() or 1}){action})' for each, action in known)})"
+
+
+def _of_differences(text: str) -> str:
+    """The controller of u(k) = u(k-1) + q0 e(k) + q1 e(k-1) + q2 e(k-2), in z."""
+    listed = coefficients_of(text) if "=" in text else ""
+    terms = [f"({each.strip()})*z^(-{i})" for i, each in enumerate(split(listed[1:-1], ","))] if listed else []
+    return f"({' + '.join(terms)})/(1 - z^(-1))" if terms else ""
+
+
+def _of_corrections(text: str) -> str:
+    """The lead or lag K (T s + 1)/(α T s + 1) of K = 10, T = 0.2, α = 0.3."""
+    found = [_CORRECTED.fullmatch(each.strip()) for each in split(text, re.compile(r"\s*(?:[,;]|\band\b|\bund\b)\s*"))]
+    named = {each[1].strip("\\").replace("alpha", "α").replace("a", "α"): f"({each[2]})" for each in found if each}
+    if len(named) < len(found) or named.keys() != {"K", "T", "α"}:
+        return ""
+    return f"{named['K']}*({named['T']}*s + 1)/({named['α']}*{named['T']}*s + 1)"
+
+
+def _of_parameters(text: str) -> str:
+    """The controller of K_p = 3, T_i = 1, T_d = 0.25, or of K_p, K_i and K_d."""
     pieces = [each.strip() for each in split(text, re.compile(r"\s*(?:[,;]|\band\b|\bund\b)\s*"))]
     found = [_PARAMETER.fullmatch(each) for each in pieces]
-    named = {f"{each[1]}{each[2]}".upper(): f"({each[3].strip()})" for each in found if each}
+    named = {f"{each[1]}{each[2]}".upper(): f"({(each[3] or each[4]).strip()})" for each in found if each}
     if len(named) < len(pieces) or "KP" not in named:
         return ""
     gain = named.pop("KP")

@@ -13,6 +13,8 @@ _TERM = re.compile(
 )
 _OUTER = re.compile(r"^\s*([-+−]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
 _DIVIDED = re.compile(r"(\(.*)\)\s*/\s*(\d+(?:\.\d+)?)", re.DOTALL)
+_CONTINUED = re.compile(r"[*/^]\s*$|[\d.][eE]$")
+"""The sign behind it is none between two terms."""
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
 
 Name = tuple[str, str]
@@ -55,7 +57,7 @@ def terms(text: str) -> list[str]:
     while at < len(text):
         if text[at] in "([{":
             at = matching(text, at) + 1
-        elif text[at] in "+-" and text[start:at].strip() and text[start:at].rstrip()[-1] not in "*/^eE":
+        elif text[at] in "+-" and text[start:at].strip() and not _CONTINUED.search(text[start:at]):
             pieces.append(text[start:at])
             start, at = at, at + 1
         else:

@@ -43,6 +43,7 @@ _OF_ALL = re.compile(
 )
 _ANGLES_OF_ALL = re.compile(r"^[^,;]*\(\s*(?:2\s*[kqnlm]|[kqnlm]\s*·?\s*360)[^,;=:]*[=:]\s*(?=[^=]*$)")
 _THEN = re.compile(r"\s*(?:→|->|,?\s+(?:then|dann|danach)\b)\s*")
+_FIRST = re.compile(r"^\s*(?:first|initially|zuerst|zunächst|anfangs)\s+(?=[-+−]?\d)", re.IGNORECASE)
 _BETWEEN_BARS = re.compile(r"\s*[^|(]+(?:\s\|\s[^|(]+)+")
 _BOTH_SIGNS = re.compile(r"\s*\+\s*([^-+−/,;=]+?)\s*/\s*[-−]\s*([^-+−/,;=]+?)\s*")
 _OR = re.compile(r"\s+(?:or|oder)\s+")
@@ -129,7 +130,7 @@ def behind_angles_of_all(text: str) -> str:
 
 def one_after_another(text: str) -> str:
     """Return -20, -40 for "-20, then -40" and for "-20 → -40"."""
-    return _THEN.sub(", ", text)
+    return _FIRST.sub("", _THEN.sub(", ", text))
 
 
 def between_bars(text: str) -> str:

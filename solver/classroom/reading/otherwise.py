@@ -24,7 +24,7 @@ from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.piecewise import as_steps
 from solver.classroom.reading.polynomials import of_named_coefficients, variable_of
 from solver.classroom.reading.printed import in_rows
-from solver.classroom.reading.sentences import concluded, with_true_signs, without_words
+from solver.classroom.reading.sentences import as_equation, concluded, premise, with_true_signs, without_words
 
 Kind = Callable[[Any, Expected], bool]
 """Whether an answer is of a kind, by our own and by what is known of it."""
@@ -34,6 +34,16 @@ Way = Callable[[str, Any, Expected], str]
 _HIDDEN = (
     re.compile(r"\s+(?:is|are|ist|sind) (?:uncontrollable|not controllable|nicht steuerbar|hidden)\s*\.?$"),
     re.compile(r"\s+(?:is|are|ist|sind) (?:unobservable|not observable|nicht beobachtbar|hidden)\s*\.?$"),
+)
+_ALL_BUT = re.compile(
+    r"^\s*(?:it is |the (?:system|pair|plant) is |das system ist )?(?:completely )?"
+    r"(?:controllable|observable|steuerbar|beobachtbar)\s+(?:for|für)\s+(?:all|every|any|alle)(?: real| reellen)?"
+    r"(?: values of)?(?:\s+[^\W\d]\w*)?\s*,?\s*(?:except(?: for)?|but|other than|außer|bis auf)\s+",
+    re.IGNORECASE,
+)
+_AT_INFINITY = re.compile(
+    r"\s*(?:,|;|and|und|\+)\s*(?:one|two|three|an?(?:other)?|\d|eine?|zwei|drei)?\s*(?:more )?(?:zeros?|nullstellen?)?"
+    r"\s*(?:at|im|in|bei)\s+(?:infinity|∞|unendlichen|unendlich)\s*\.?$"
 )
 _LOST = re.compile(
     r"^\s*(?:it is |the (?:system|pair|plant) is |das system ist )?"
@@ -48,7 +58,7 @@ _CONSTANTS_FIRST = re.compile(r"^[^:]*:\s*(?=[^\W\d]\w*(?:\([tk]\))?\s*=)")
 
 def other_texts(text: str, ours: Any, expected: Expected) -> Iterator[str]:
     """Yield what a text may say otherwise; each is still to be read, and to have the shape of ours."""
-    if "for all" in text:
+    if "for all" in text and expected.name != "values":
         return
     if _is_function_of_time(ours, expected) and (steps := as_steps(text)):
         yield steps
@@ -84,6 +94,11 @@ def _is_plain_list(ours: Any, _: Expected) -> bool:
 
 def _are_angles(ours: Any, expected: Expected) -> bool:
     return _is_list(ours, expected) and expected.unit == "°"
+
+
+def _are_numbers(ours: Any, expected: Expected) -> bool:
+    numbers = isinstance(ours, sp.Expr | list) and not symbols_of(ours) and not _are_mappings(ours, expected)
+    return numbers and not expected.count
 
 
 def _are_mappings(ours: Any, _: Expected) -> bool:
@@ -166,7 +181,11 @@ def _modes(text: str, _: Any, expected: Expected) -> str:
 
 
 def _values_when_lost(text: str) -> str:
-    return _LOST.sub("", text)
+    return _ALL_BUT.sub("", _LOST.sub("", text))
+
+
+def _finite(text: str) -> str:
+    return _AT_INFINITY.sub("", text)
 
 
 def _solution(text: str) -> str:
@@ -235,7 +254,20 @@ _TABLE: tuple[tuple[Kind, tuple[Way, ...]], ...] = (
     ),
     (_is_of_z, (_text(remarks.without_sample_time),)),
     (_are_modes, (_modes,)),
+    (_named("zeros"), (_text(_finite),)),
     (_named("values"), (_text(_values_when_lost),)),
     (_are_values, (_text(list_texts.joined_sets),)),
-    (_any, (_text(_without_only), _text(closed), _text(with_true_signs), _text(concluded), _bare)),
+    (_are_numbers, (_text(remarks.without_words_in_brackets),)),
+    (
+        _any,
+        (
+            _text(_without_only),
+            _text(closed),
+            _text(with_true_signs),
+            _text(as_equation),
+            _text(concluded),
+            _text(premise),
+            _bare,
+        ),
+    ),
 )

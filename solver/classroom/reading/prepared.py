@@ -13,6 +13,7 @@ from solver.classroom.reading import solution_sets, state_equations
 from solver.classroom.reading.brackets import rows, split
 from solver.classroom.reading.control_laws import gains_of
 from solver.classroom.reading.latex import plainly
+from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrix_remarks import of_products
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import labelled
@@ -21,7 +22,7 @@ from solver.classroom.reading.remarks import without_remarks
 from solver.classroom.reading.space_words import is_zero_space, without_space_words
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.vectors_told import of_unit_vectors, with_commas, with_conjugates, without_kinds
-from solver.problem.expressions.notation import GREEK_NAMES
+from solver.problem.expressions.notation import GREEK_NAMES, MAX_CHARACTERS
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.symbols import POLYNOMIAL
 
@@ -69,7 +70,7 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
         node, text = ScalarNode(node.place, bare, "quoted"), bare
     if _RULE.search(text) and isinstance(ours, list) and ours and isinstance(ours[0], Mapping):
         return ScalarNode(node.place, _RULE.sub(" = ", text), "quoted")
-    if _RULE.search(text) and not isinstance(ours, str | bool):  # {{k1 -> 22, k2 -> 7}}
+    if _RULE.search(text) and not isinstance(ours, str | bool) and not is_condition(ours):  # {{k1 -> 22, k2 -> 7}}
         return ScalarNode(node.place, _RULE.sub(" = ", text.replace("{", "").replace("}", "")), "quoted")
     if not isinstance(node, ScalarNode) or isinstance(ours, str | bool):
         return node
@@ -78,14 +79,21 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if name == "G" and (law := _OUTPUT.match(text)) and law[1]:  # Y(s) = G(s) U(s)
         return ScalarNode(node.place, law[1], "quoted")
     bare = _own_statement(_NOT_ZERO.sub("", text), name)
-    bare = told_otherwise(bare, name, ours)
-    if not symbols_of(ours) and not isinstance(ours, Mapping | sp.MatrixBase) and not _is_listed(ours):
-        bare = without_remarks(bare, name)
+    bare = _quantity(bare, name, ours)
     if name == "array":
         bare = _without_powers(text)
     if isinstance(ours, sp.MatrixBase) and (found := _TURNED.match(bare)):
         bare = f"{found[1]} = {found[2]}'"
     return node if bare == text else ScalarNode(node.place, bare, "quoted")
+
+
+def _quantity(text: str, name: str, ours: Any) -> str:
+    """A text of the quantity that is asked for, without remarks; one that is too long as it is."""
+    if len(text) > MAX_CHARACTERS:
+        return text
+    text = told_otherwise(text, name, ours)
+    numbers = not symbols_of(ours) and not isinstance(ours, Mapping | sp.MatrixBase) and not _is_listed(ours)
+    return without_remarks(text, name) if numbers else text
 
 
 def _matrix_prepared(node: Node, ours: sp.MatrixBase, name: str) -> Node:

@@ -7,11 +7,37 @@ from __future__ import annotations
 
 import re
 
+from solver.classroom.reading.counts import NUMBERS
+from solver.problem.expressions.notation import GREEK_NAMES
+
 _NAME = r"\\?[^\W\d]\w{0,11}(?:\([stzk]\))?"
 _BESIDE = re.compile(
     rf"\s*(?:\(\s*(?:at|for|with|bei|für|mit)?\s*(?P<in>{_NAME})\s*[=≈]\s*[^()=,;]+(?:\s[\w/]+)?\)"
-    rf"|,?\s+(?:at|for|bei|für)\s+(?P<at>{_NAME})\s*[=≈]\s*[^=,;()]+?)(?=\s*(?:[,;\])}}.]|\band\b|\bund\b|$))"
+    rf"|,?\s+(?:at|for|bei|für)\s+(?P<at>{_NAME})\s*[=≈]\s*[^=,;()]+?)(?=\s*(?:[,;\])}}]|\.(?!\d)|\band\b|\bund\b|$))"
 )
+_WHERE = re.compile(r"(?<=[\w)°%∞])\s*\(\s*(?:for |für |if |at )?(?=[^()]*[^\W\d_])[^()=]*[<>≤≥][^()]*\)")
+"""Where a value holds: -40 (ω < 2), -20 (2 < ω < 10)."""
+_BETWEEN = re.compile(
+    r"(?<=[\d)])\s*[,(]?\s*(?:lies |which is |liegt )?(?:between|zwischen)"
+    r"\s+[-+−]?[\d.]+\s+(?:and|und)\s+[-+−]?[\d.]+\s*\)?\s*$"
+)
+_AT_POLES = re.compile(
+    r"(?<=[\d)°])\s*[,(]?\s*(?:for|at|from|bei|für|am|vom)\s+(?:the\s+|den\s+|dem\s+)?(?:upper\s+|complex\s+)*"
+    r"(?:poles?|pol(?:en)?)\s*(?:at |bei |[sp]\s*=)?\s*[-+−±\d./√ij ]*\)?\s*$"
+)
+"""Where a point lies, of which pole an angle is."""
+_WORDS = re.compile(
+    r"(?<=[\w)°%∞.])\s+\(\s*(\d?\s*[^\W\d_]{3,}(?:[\s,-]+[^\W\d_]{2,}){0,7})\s*\)(?=\s*(?:[,;]|\.?\s*$))"
+)
+_SAYING = frozenset(
+    "not no nicht kein keine none never neither without ohne except außer but aber double twice triple times fold"
+    " multiplicity each both conjugate conjugated conj konjugiert plus minus negative negativ inverse reciprocal half"
+    " squared wrong false falsch unless rad radian radians degree degrees deg grad decibel decibels percent prozent"
+    " hertz seconds second sekunden sek milliseconds minutes volt volts more less mehr weniger doppelt zweifach"
+    " dreifach".split()
+)
+"""Words that say something of a value: it may be another one."""
+_FREQUENCIES = ("_crossover", "_frequency", "bandwidth")
 _COUNTED = re.compile(r"(?:alg\w*_?)?(?:m|mult\w*|am|a_m|AV|VF|vf|μ|mu|ν|nu|vielfachheit)(?:_?a)?")
 """Names of what says how often a value counts."""
 _REGION = re.compile(
@@ -38,9 +64,21 @@ def without_remarks(text: str, own: str) -> str:
 
     def bare(found: re.Match[str]) -> str:
         name = found["in"] or found["at"]
-        return found[0] if name == own or _COUNTED.fullmatch(name) else ""
+        itself = name == own or (own.endswith(_FREQUENCIES) and name.strip("\\") in ("ω", "omega", "w"))
+        return found[0] if itself or _COUNTED.fullmatch(name) else ""
 
+    text = _AT_POLES.sub("", _BETWEEN.sub("", _WHERE.sub("", text)))
     return _BESIDE.sub(bare, text) if "=" in text or "≈" in text else text
+
+
+def without_words_in_brackets(text: str) -> str:
+    """Return numbers without remarks in brackets that are made of words and say nothing of them: 5.8 (numerically)."""
+
+    def bare(found: re.Match[str]) -> str:
+        said = set(re.findall(r"[^\W\d_]+", found[1].lower()))
+        return found[0] if said & (_SAYING | NUMBERS.keys() | GREEK_NAMES) else ""
+
+    return _WORDS.sub(bare, text)
 
 
 def without_region(text: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import sympy as sp
@@ -19,6 +19,10 @@ _AGAIN = re.compile(
     r"([-+−]?[\d.]+\s*(?:dB|°|%|rad/s|rad|deg|Hz|ms|s)))\s*\)\s*\.?$"
 )
 PLACES = (sp.Rational(13, 11), sp.Rational(29, 17), sp.Rational(7, 19))
+_CALLED = re.compile(r"(?<![A-Za-z_\\])[A-Z]\w?\s*\(\s*(?:0|1|∞|j\s*\w*)\s*\)")
+_NAMES = re.compile(r"[^\W\d]\w*")
+_COMPONENTS = re.compile(r"s?(?:[RC](?:_?[\df])?)+")
+_OPERATION = re.compile(r"Q_9\d+|s")
 _NEAR = sp.Rational(1, 10**9)
 
 
@@ -33,6 +37,14 @@ def sides(text: str) -> list[str]:
         text = f"{either[1]} = {either[2]}"
     found = split(text, _EQUAL)
     return found if 1 < len(found) <= MOST_SIDES and all(side.strip() for side in found) else [text]
+
+
+def says_how(text: str, signals: Collection[str], *, of_functions: bool) -> bool:
+    """Whether a text is a formula in values of functions, 1 - G(0), or in components beside `signals`, -RC v."""
+    names = _NAMES.findall(text)
+    own = any(_COMPONENTS.fullmatch(each) for each in names)
+    beside = all(_COMPONENTS.fullmatch(each) or each in signals or _OPERATION.fullmatch(each) for each in names)
+    return (of_functions and _CALLED.search(text) is not None) or (bool(signals) and own and beside)
 
 
 def agree(one: Any, other: Any, decimals: Mapping[sp.Symbol, Decimal]) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from solver.classroom.reading.brackets import split
+from solver.classroom.reading.counts import NUMBERS
 
 MOST_SIDES = 6
 _SIDES = re.compile(r"\s*(?:≈|≅|:=|(?<![<>=!:≤≥])==?(?![=>]))\s*")
@@ -75,6 +76,12 @@ _OF = re.compile(r"\s*(?:of|von)\s+(?:the\s+)?(?:[A-Z]|\([A-Z],\s*[A-Z]\))\s+(?=
 _IS = re.compile(r"(?<=[\w})])\s+(?:is|ist|equals)\s+(?=[-+−\d.√(])")
 
 _ASYMPTOTE = re.compile(r"^\s*(?:(?:one|two|three|four|\d) )?asymptotes? (?:at|with angles?(?: of)?) ", re.IGNORECASE)
+_ONE = re.compile(
+    r"^\s*(?:(?:one|a|single|eine?) (?:(?:finite|real|stable) )?(?:(zero|pole|point|nullstelle|pol) )?"
+    r"|(?:the )?break-?(?:away|in)(?: point)? )(?:at|bei) ",
+    re.IGNORECASE,
+)
+"""One zero at -2: of several the number says how often."""
 _COMPARED = re.compile(
     r"(?<![\w.)])([-+−]?\s*\d{1,9}(?:\.\d{1,9})?)\s*\(?\s*([<>])\s*(\d{1,3}(?:\.\d{1,3})?)(?![.\d])\s*\)?"
 )
@@ -85,6 +92,12 @@ _DENIED = re.compile(
     r"\b(?:not|no|nicht|kein\w*|never|neither|nor|and|or|und|oder|but|aber|if|unless|without|wrong|false)\b|[≠;,\n]",
     re.IGNORECASE,
 )
+
+_LAST_WORDS = re.compile(
+    r"\s*[^\W\d_]{2,}(?:[ ,-]{1,3}[^\W\d_]{2,})*(?:(?<=rank) \d|(?<=rang) \d)?\s*[.!]?\s*", re.IGNORECASE
+)
+_NUMBERED = frozenset({"infinity", "infinite", "unendlich", "inf", "zero", "null", *NUMBERS})
+_THAT_IS = re.compile(r"\s*[,;]?\s*(?:\bi\.\s?e\.|\bd\.\s?h\.|\bthat is|\bdas heißt)[,:]?\s*")
 
 FILLING = frozenset(
     "the of is are at be lie lies equals equal to we get obtain have has result answer value values it"
@@ -107,6 +120,22 @@ NOUNS = {
     "solutions": "solution solutions lösung lösungen",
     "closed_loop_A": "companion closed-loop",
     "cancelled": "pole poles zero zeros factor mode modes hidden cancelled pol nullstelle",
+    "gain_crossover": "frequency durchtrittsfrequenz durchtrittskreisfrequenz schnittfrequenz",
+    "phase_crossover": "frequency nyquist phasenschnittfrequenz phasendurchtrittsfrequenz",
+    "gain_margin": "amplitudenreserve amplitudenrand verstärkungsreserve",
+    "gain_margin_db": "amplitudenreserve amplitudenrand verstärkungsreserve",
+    "phase_margin": "phasenreserve phasenrand",
+    "overshoot": "maximum percent überschwingen überschwingweite",
+    "rise_time": "anstiegszeit anregelzeit",
+    "settling_time": "ausregelzeit einschwingzeit",
+    "natural_frequency": "undamped eigenfrequenz kennkreisfrequenz",
+    "damping_ratio": "damping dämpfung dämpfungsgrad dämpfungsmaß",
+    "error": "steady state bleibende regelabweichung regelfehler",
+    "bandwidth": "frequency bandbreite",
+    "magnitude": "amplitude betrag",
+    "phase": "angle shift phasenverschiebung phasenwinkel",
+    "dc_gain": "static statische verstärkung",
+    "centroid": "schwerpunkt wurzelschwerpunkt asymptotes",
     "null_space": "all multiples vielfache von spanned by span",
 }
 """What an answer is called in a sentence, by its name, or the last word of its name."""
@@ -114,11 +143,14 @@ NOUNS = {
 
 def without_words(text: str, name: str, *, count: bool = False) -> str:
     """Return a value without the words that introduce it and the remarks behind its items; "" where there are none."""
-    nouns = frozenset(NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], "")).split()) | {name.lower()}
+    called = NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], ""))
+    nouns = frozenset([*called.split(), name.lower(), *name.lower().split("_")])
     text = _SPACES.sub(" ", text).strip()
     remarked = text if name.endswith("_modes") else _LOST.sub("", text)
     remarked = _REFUSED.sub("", _INFINITE.sub(r"\1", _SINCE.sub("", remarked)))
     bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", remarked)), nouns)
+    if (found := _ONE.match(bare)) and {found[1], f"{found[1]}s"} & {None, *nouns}:
+        bare = bare[found.end() :]
     bare = _ASYMPTOTE.sub("", _PAIR.sub("", bare))
     if found := _MANY.match(bare):
         bare = _introduced(f"{found[1]}{found[2]} (double)", nouns)
@@ -167,6 +199,20 @@ def _outside_brackets(text: str) -> str:
     while (bare := _BRACKETS.sub("", text)) != text:
         text = bare
     return text
+
+
+def premise(text: str) -> str:
+    """Return what stands before a last "hence" behind which only words follow, 0.33 → unstable; "" of other texts."""
+    text = _SPACES.sub(" ", text).strip()
+    *before, last = split(text, _SO) or [""]
+    said = _LAST_WORDS.fullmatch(last) and not {*last.lower().strip(" .").split()} & _NUMBERED
+    ends = [found.start() for found in _SO.finditer(text)]
+    return text[: ends[-1]].rstrip() if before and said and ends else ""
+
+
+def as_equation(text: str) -> str:
+    """Return 6 = 15.56 dB of "6, i.e. 15.56 dB"; any other text as it is."""
+    return _THAT_IS.sub(" = ", _SPACES.sub(" ", text))
 
 
 def concluded(text: str) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from solver.classroom.reading.components import in_numbers
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.input_names import told_by_input
 from solver.classroom.reading.signals import Operators
@@ -35,7 +36,9 @@ class SignalReader:
         """Return the value of a text, with its other readings; raises Fault."""
         if len(node.text) > MAX_CHARACTERS:
             return self.reader.read_as_expected(node, ours, self.expected)
-        text = self.operators.without(told_by_input(node.text, self.operators.names))
+        known = {*self.reader.names.symbols, *self.reader.names.values}
+        told = in_numbers(node.text, known.__contains__)
+        text = self.operators.without(told_by_input(told, self.operators.names))
         outside = self.reader.names
         names = {name: sp.Symbol(name, real=True) for name in self.operators.found}
         self.reader.names = replace(outside, symbols={**outside.symbols, **names})

@@ -65,6 +65,7 @@ PHRASES = {
     **dict.fromkeys(("no damped", "without damped", "not damped", "keine dämpfung", "ohne dämpfung"), "undamped"),
     **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
     **dict.fromkeys(("unterkritisch damped", "unterkritisch", "periodisch damped", "schwingfähig"), "underdamped"),
+    "schwingungsfähig": "underdamped",
     **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall"), "overdamped"),
     **dict.fromkeys(("überkritisch damped", "überkritisch", "aperiodisch damped"), "overdamped"),
     **dict.fromkeys(("aperiodischer grenzfall", "aperiodic limit", "limit of aperiodicity"), "critically damped"),
@@ -101,7 +102,7 @@ LABELS = {
     "natural_frequency": ("omega", "ω", "w"), "phase_margin": ("PM", "Phi", "Φ"),
     "gain_margin": ("GM", "A_R", "k_R", "g_m", "G_m", "K_g"),
     "gain_margin_db": ("GM", "A_R", "k_R", "g_m", "G_m", "K_g"),
-    "system_type": ("N", "n", "ν", "nu", "l"),
+    "system_type": ("N", "n", "ν", "nu", "l"), "gain": ("K", "k", "k_0", "K_0"),
 }  # fmt: skip
 """What an answer is called too, by its name or its symbol, where this is what another one is called elsewhere."""
 NOUNS = {"nullstellen": "zeros", "nullstelle": "zeros", "zero": "zeros", "pole": "poles", "polstellen": "poles",

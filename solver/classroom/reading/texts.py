@@ -68,7 +68,7 @@ class TextReader:
         with At(node):
             text = self._plain(written)
         with At(node, inside=text == written):
-            decimals = decimals_of(text, len(self.decimals))
+            decimals = decimals_of(text, len(self.decimals), whole=self.unit == "°" and self.numbers)
             self.decimals |= dict(decimals.values())
             symbols = {place: symbol for place, (symbol, _) in decimals.items()}
             pairs = parse_written(text, self.names, symbols, self._decide)

@@ -31,7 +31,7 @@ from solver.classroom.reading.labels import (
     without_range,
 )
 from solver.classroom.reading.latex import plainly
-from solver.classroom.reading.likeness import has_step, is_condition, is_like, is_of_time
+from solver.classroom.reading.likeness import SIGNALS, has_step, is_condition, is_like, is_of_time
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.otherwise import other_texts
@@ -39,7 +39,8 @@ from solver.classroom.reading.patched import program_in
 from solver.classroom.reading.phasors import as_sinusoid
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
-from solver.classroom.reading.said_twice import same, sides
+from solver.classroom.reading.quantities import is_value_at_rest
+from solver.classroom.reading.said_twice import same, says_how, sides
 from solver.classroom.reading.sentences import sides_of
 from solver.classroom.reading.signal_values import SignalReader
 from solver.classroom.reading.spelling import typed
@@ -226,11 +227,15 @@ class Reader:
         if not last:
             return []
         known = symbols_of(last[0].value)
-        values = [[each for each in one if symbols_of(each.value) <= known] for one in before]
+        how = [self._says_how(side) for side in sides]
+        values = [
+            [] if formula else [each for each in one if symbols_of(each.value) <= known]
+            for formula, one in zip(how, before, strict=False)
+        ]
         for side, known_values in zip(sides, values, strict=False):
             if known_values and not any(same(each, one) for each in known_values for one in last):
                 raise node.fault(f"{side} and {sides[-1]} are not equal")
-        named = values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours)
+        named = values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours) or how[0]
         named = named or (bool(symbols_of(ours)) and is_general(sides[0], self.expected.labels))
         return last if named or polynomials.compares(ours, found[0], known) else []
 
@@ -242,6 +247,11 @@ class Reader:
         words = [_DOT.sub("", word) for word in _WORDS.findall(normalize("NFD", side))]
         words += [word[1:] for word in words if word[0] == "d" and len(word) > 1]
         return any(not word[-1].isdigit() and not labels.before(f"{word} = 0")[0] for word in words)
+
+    def _says_how(self, text: str) -> bool:
+        """Whether a text says how a value is found from values of functions, or from components beside signals."""
+        signals = self.expected.signals.names if self.expected.signals else ()
+        return says_how(text, signals, of_functions=self.expected.name in ("error", *SIGNALS, "y_steady_state"))
 
     def _is_formula(self, text: str, ours: Any) -> bool:
         """Whether a text says how a number is found from other quantities: exp(-πζ/√(1-ζ²)), 1/K_v."""
@@ -286,8 +296,10 @@ class Reader:
             text = polynomials.one_side(text)
             self.equation = self.equation or text != node.text
             self.texts.respelt = self.texts.respelt or text != node.text
-        if isinstance(ours, str) and words.fitting(self.expected.labels.before(text)[0], self.expected.words):
-            return node  # unstable, since λ = 1
+        if isinstance(ours, str) and (
+            words.is_concluded(text) or words.fitting(self.expected.labels.before(text)[0], self.expected.words)
+        ):
+            return node  # ζ = 1.25 > 1, overdamped; unstable, since λ = 1
         if isinstance(ours, bool) and words.truth(text, self.expected.name) is not None:
             return node
         if isinstance(ours, bool):
@@ -295,6 +307,7 @@ class Reader:
             if label and (len(value) < 2 or not words.is_name(label, self.expected.name)):  # rank = n is no "n"
                 return node
         of_a_variable = isinstance(ours, sp.Expr) and bool({x.name for x in symbols_of(ours)} & VARIABLES)
+        of_a_variable = of_a_variable and not is_value_at_rest(text, self.expected.name)
         end = self.expected.name in ("y_final", "y_peak")
         if of_another_argument(text, of_a_variable=of_a_variable, at_its_end=end):
             raise node.fault("it is labelled as something else than is asked for")

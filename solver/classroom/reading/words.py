@@ -71,6 +71,21 @@ _NONE_SINCE = re.compile(
     re.IGNORECASE,
 )
 """None, and why."""
+_NONE_ON = re.compile(
+    r"(?:there (?:is|are) )?(?:none|keine)\s+(?:on the (?:real|imaginary|jω|jw)[- ]?axis"
+    r"|auf der (?:reellen|imaginären) achse|(?:for|für)\s+(?:ω|w|omega|K)\s*>\s*0)\s*\.?",
+    re.IGNORECASE,
+)
+"""None where they might be."""
+_NEVER = re.compile(
+    r"^\s*(?:(?:never|nie)\s+(?=\w)|((?:not|nicht)\b[^,;]*?)\s+(?:for|für) (?:all|any|every|alle|jedes)(?: values? of)?"
+    r" [^\W\d]\w*\s*\.?$)",
+    re.IGNORECASE,
+)
+"""Never controllable, not controllable for any a. What is so for all a is no plain yes: there may be exceptions."""
+_CONTRACTED = re.compile(r"(?<=[a-z])(?:'s(?=\s)|n't\b)")
+_PREMISE = re.compile(r"\s*(?=[^:,;]*[<>=≤≥≠])(?:[^\W\d_]{1,2}|zeta|omega|lambda|sqrt|[\W\d_])+?\s*[:,;]\s*(?=[^\W\d])")
+"""ζ < 1: what is concluded from a relation."""
 _IMAGINARY = ("imaginary", "jω", "jw", "imaginäre")
 _REAL = ("real", "reelle")
 _CROSSES_NOT = re.compile(
@@ -80,7 +95,7 @@ _CROSSES_NOT = re.compile(
     re.IGNORECASE,
 )
 _MISSING = re.compile(
-    r"\s*(?:(?:it )?does(?: not|n't|n’t) exist|there is none|existiert nicht|gibt es nicht|n/a|[-–—]"
+    r"\s*(?:(?:it )?does(?: not|n't|n’t) exist|there is none|existiert nicht|gibt es nicht|n/a|nan|[-–—]"
     r"|(?:the )?(?:phase )?(?:never|does(?: not|n't|n’t)) (?:reach|cross)(?:es)? [-−]180\s?°?"
     r"|(?:die )?phase (?:erreicht|schneidet) [-−]180\s?° (?:nie|nicht))\s*\.?",
     re.IGNORECASE,
@@ -91,6 +106,8 @@ _MIXED = re.compile(r"([+-]?)\s*(\d{1,9})\s+(\d{1,9}/\d{1,9})")
 
 def truth(text: str, name: str = "") -> bool | None:
     """Return what a text says of whether something has a property, yes or "not controllable"; None if nothing."""
+    text = _CONTRACTED.sub(lambda found: " not" if "n" in found[0] else " is", text.replace("’", "'"))
+    text = _NEVER.sub(lambda found: found[1] or "not ", text)
     text = _BESIDE.sub("", _SUBJECT.sub("", " ".join(text.split()), count=1).replace("isable", "izable"))
     said = [word for word in _words(text) if word not in _WHOLLY]
     words = " ".join(said)
@@ -126,6 +143,11 @@ def _with_reason(text: str, name: str, against: set[str]) -> bool | None:
     return None if set(why) & (spoils | answers) else said
 
 
+def is_concluded(text: str) -> bool:
+    """Whether a word stands behind a relation that it is concluded from, ζ = 1.25 > 1, overdamped."""
+    return _PREMISE.match(text) is not None
+
+
 def is_name(label: str, name: str) -> bool:
     """Whether what stands before a colon or a sign = may name a yes or no, and says nothing of it: no "No: …"."""
     said = set(_words(label))
@@ -149,6 +171,8 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
     same = [each for each in known if parts == set(each.split())]
     if not same and (found := _HENCE.fullmatch(text)) and not _DENIED & set(_words(found[1])):
         return [] if fitting(found[1], known) else fitting(found[2], known)
+    if not same and (found := _PREMISE.match(text)):
+        return fitting(text[found.end() :], known)
     if not same and (found := _SINCE.fullmatch(text)) and not _DENIED & set(_words(found[1])):
         return fitting(found[2], known)
     claim, *reason = _REASON.split(text, maxsplit=1)
@@ -161,7 +185,7 @@ def is_none(text: str, name: str = "") -> bool:
     """Whether a text says that there is nothing: none, no zeros, keine Nullstellen, none (stable for all K > 0)."""
     if found := _NONE_SINCE.fullmatch(text):
         text = found[1] if not _DENIED & set(_words(found[2])) - {"no", "not", "nicht"} else text
-    if text.strip().lower() in NONE:
+    if text.strip().lower() in NONE or _NONE_ON.fullmatch(text.strip()):
         return True
     if name.endswith("_crossings") and (found := _CROSSES_NOT.fullmatch(text.strip())):
         return (found[1] or found[2]).lower() in (_IMAGINARY if name.startswith("imaginary") else _REAL)

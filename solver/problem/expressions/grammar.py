@@ -23,7 +23,7 @@ from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.names import Names
 from solver.problem.expressions.notation import FUNCTIONS, MAX_DEPTH, MAX_PRIMES, MAX_TOKENS
 from solver.problem.expressions.syntax import Call, Name, Node, Number, Power, Product, Signal, Sum
-from solver.problem.expressions.tokens import Kind, Token, exact_number, is_decimal
+from solver.problem.expressions.tokens import Kind, Token, exact_number
 from solver.problem.expressions.vocabulary import check_call, check_late, check_name, prime_refused
 
 _SIGNS = ("+", "-", "±")
@@ -178,7 +178,7 @@ class _Parser:
             self.cursor.take()
             if token.text in ("1", "1.0") and self.cursor.sees("("):
                 self.check_late(token)
-            return Number(token.at, token.end, exact_number(token), token.at if is_decimal(token) else -1)
+            return Number(token.at, token.end, exact_number(token), token.at)
         if token.kind is Kind.NAME:
             return self.name()
         if self.cursor.sees("("):

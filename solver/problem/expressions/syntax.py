@@ -16,7 +16,7 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Number(Node):
-    """A number, exactly as written; `place` is where a decimal stands in the text, -1 for whole numbers."""
+    """A number, exactly as written; `place` is where it stands in the text, -1 where it is part of something."""
 
     value: Fraction
     place: int = -1

@@ -36,8 +36,8 @@ pid_tuning: Task[Any, PidOptions] = Task(
     answers=[
         AnswerName("controller", "C(s)", "the controller", principal=True, earned=EARNED),
         AnswerName("K_p", "K_p", "the gain of the error", principal=True, earned=EARNED),
-        AnswerName("K_i", "K_i", "the gain of the integral of the error", principal=True, earned=EARNED),
-        AnswerName("K_d", "K_d", "the gain of the derivative of the error", principal=True, earned=EARNED),
+        AnswerName("K_i", "K_i", "the gain of the integral of the error", principal=True, unit="1/s", earned=EARNED),
+        AnswerName("K_d", "K_d", "the gain of the derivative of the error", principal=True, unit="s", earned=EARNED),
         AnswerName("K_u", "K_u", "the gain at which the loop oscillates", ("ziegler_nichols_ultimate",), optional=True,
                    earned=("crossings",)),
         AnswerName("T_u", "T_u", "the period of the loop on the verge of instability", ("ziegler_nichols_ultimate",),

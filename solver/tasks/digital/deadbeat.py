@@ -49,7 +49,12 @@ deadbeat: Task[WithInput, PlantOptions] = Task(
         ),
         AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop", free=gain_is_free),
         AnswerName(
-            "steps", r"\nu", "the number of steps after which the state is zero", principal=True, earned=("powers",)
+            "steps",
+            r"\nu",
+            "the number of steps after which the state is zero",
+            principal=True,
+            count=True,
+            earned=("powers",),
         ),
     ],
     example={"time": "discrete"},
