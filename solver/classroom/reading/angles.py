@@ -16,6 +16,7 @@ CONVERTED = 50
 """A factor beyond it turns radians into degrees already: 57.3 arctan(ω)."""
 _OF_TWO = re.compile(r"(?<![A-Za-z_])(?:a|arc)tan2\s*\(")
 _INVERSE = re.compile(r"\\?(?<![A-Za-z_])(sin|cos|tan)\s*(?:\^\s*[{(]?\s*[-−]\s*1\s*[)}]?|⁻¹)\s*")
+_WHOLE = re.compile(r"(?<![\w.])([1-9])(\d{1,2})(?=\s*(?:°|deg(?:rees?)?\b))")
 _ANGLES = (sp.atan, sp.asin, sp.acos)
 _SCALE = sp.Dummy("scale", positive=True)
 
@@ -23,6 +24,11 @@ _SCALE = sp.Dummy("scale", positive=True)
 def with_arcs(text: str) -> str:
     """Return an angle with tan^-1 as atan, which can be nothing else there."""
     return _INVERSE.sub(r"a\1 ", text)
+
+
+def with_rounded_degrees(text: str) -> str:
+    """Return a formula whose whole degrees are decimals, cos(4t - 53°) with 5.3e1°: they are rounded."""
+    return _WHOLE.sub(lambda found: f"{found[1]}.{found[2]}e{len(found[2])}", text)
 
 
 def with_one_argument(text: str) -> str:

@@ -65,6 +65,8 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"^\s*(?:for|if|iff|when|für|wenn|falls)\s+(?=\S)", ""),
         (r"^\s*(?:all|every|any|alle)\s+(?=[A-Za-z]\w*\s)", ""),
         (r"\s*\((?:asymptotically |asymptotisch )?(?:stable|stabil)\)\s*$", ""),
+        (r"\s*\((?:by |from |nach |aus )?(?:the )?(?:routh|hurwitz|routh[-–]hurwitz|jury)(?:['’]s)?"
+         r"(?:[ -](?:criterion|array|table|test|kriterium|schema))?\)\s*$", ""),
         (r"\s*[.]\s*$", ""),
         (r"\s+for all\s+(?=[A-Za-z]\w*\s*[<>])", " "),
         (rf"^\s*([A-Za-z])_?\{{?min\}}?\s*=\s*({_NUMBER})\s*(?:,|;|\band\b|\bund\b)\s*\1_?\{{?max\}}?\s*=\s*({_NUMBER})\s*$",

@@ -73,10 +73,10 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"√\s*(\d+(?:\.\d+)?)(?=\s+\w)", r" sqrt(\1)"),  # √3 t: the space ends the root
         (r"√", " sqrt "),
         (r"\b(?:np|numpy|math|cmath|sp|sympy)\.(?=[A-Za-z])", ""),  # np.exp(-t)
-        (r"∠\s*(±?)\s*([-+]?[\d.]+\s*°?|\([^()]*\)|[-+]?atan\([^()]*\))", r"*e^(\1j*\2)"),  # 2∠30°
+        (r"∠\s*(±?)\s*([-+]?[\d.]+(?:e\d)?\s*°?|\([^()]*\)|[-+]?atan\([^()]*\))", r"*e^(\1j*\2)"),  # 2∠30°
         (r"\b(?:Rational|Fraction)\s*\(\s*([-+]?\d+)\s*,\s*(\d+)\s*\)", r"(\1/\2)"),
         (r"\b(?:S|Integer)\s*\(\s*([-+]?\d+)\s*\)", r"(\1)"),
-        (r"(\d+(?:\.\d+)?)\s*(?:°|deg(?:rees?)?\b)", r"(\1*pi/180)"),  # cos(4t - 161.6 deg)
+        (r"(\d+(?:\.\d+)?(?:e\d)?)\s*(?:°|deg(?:rees?)?\b)", r"(\1*pi/180)"),  # cos(4t - 161.6 deg)
         (r"(?<![\w.])(\d{1,9})\s?(?=[½¼¾⅓⅔⅕⅙⅛])([½¼¾⅓⅔⅕⅙⅛])", lambda found: f"({found[1]}+{_FRACTIONS[found[2]]})"),
         (r"(?<![\w.)])(\d)!(?!=)", lambda found: str(factorial(int(found[1])))),
         (r"½", "(1/2)"),

@@ -38,6 +38,11 @@ _UNBOUNDED = re.compile(
     re.IGNORECASE | re.DOTALL,
 )
 """Of an error, or of a margin: ∞."""
+_NONE_INFINITE = re.compile(
+    r"\s*(?:does not exist|none|not defined|undefined|existiert nicht)\s*[,(]\s*(?:i\.e\. |so |also )?"
+    r"(?:infinite|infinity|∞|inf|unendlich)\s*\)?\s*\.?",
+    re.IGNORECASE,
+)
 _INFINITE = re.compile(
     r"^(\s*(?:[^\W\d][\w ]*?[=:→]\s*)?\+?(?:∞|inf(?:inity|inite)?|oo|unendlich|\\infty))\s*"
     r"(?:dB|°|deg|rad/s|s|sec|1/s|[,;(]\s*(?:the|die|der|das|since|because|as|da|weil|it|no|there|phase)\b.*)\s*\.?\s*$",
@@ -77,7 +82,7 @@ def told_otherwise(text: str, name: str, ours: Any) -> str:
     if not symbols_of(ours) and isinstance(ours, sp.Expr | list):
         text = _VALUE_OF.sub("", _AT.sub("", text, count=1))
     if name in LIMITS or name == "dc_gain" or name.endswith(("_constant", "_margin", "_crossover")):
-        return "∞" if _UNBOUNDED.fullmatch(text) else _INFINITE.sub(r"\1", text)
+        return "∞" if _UNBOUNDED.fullmatch(text) or _NONE_INFINITE.fullmatch(text) else _INFINITE.sub(r"\1", text)
     if name in _TOLD:
         return _TOLD[name](text)
     if name.endswith("_angles"):

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading.angles import readings_in_degrees, with_arcs
+from solver.classroom.reading.angles import readings_in_degrees, with_arcs, with_rounded_degrees
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.condition_words import in_relations, is_unclear, with_ends
 from solver.classroom.reading.conditions import ConditionReader
@@ -161,8 +161,7 @@ class TextReader:
         ):
             text = kept
         bare = without_unit(_DECIBELS.sub(r"\1log10", text) if self.unit == "dB" else text, self.unit)
-        if self.unit == "°":
-            bare = with_arcs(bare)
+        bare = with_arcs(bare) if self.unit == "°" else with_rounded_degrees(bare)
         found = with_quotients(bare, self.variable)
         found = plain(found, self.names, self.choices)
         said = _squeezed(found) == _squeezed(respelled(bare))

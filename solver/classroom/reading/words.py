@@ -25,7 +25,7 @@ NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector",
         "no segments", "no segments on the real axis", "aucun", "aucune")  # fmt: skip
 _REASONED = re.compile(r"\w+\s*(?:[,;:.!(–—]|-(?!\w))")
 _DEFECTIVE = re.compile(r"(.*diag.+?)\s*[,;(]\s*(?:(?:not|nicht) )?(?:defective|defekt)\s*\)?\s*\.?", re.IGNORECASE)
-_REASON = re.compile(r"\s*[,;:(–—]|\s+(?:since|because|as|da|weil|denn)\s")
+_REASON = re.compile(r"\s*[,;:(–—]|\s+(?:since|because|as|although|though|despite|da|weil|denn|obwohl|trotz)\s")
 _HENCE = re.compile(
     r"(.+?)(?:\s*[,;.:]|\s)\s*(?:so|hence|therefore|thus|also|daher|folglich|⇒|⟹|→|[=-]>)\s*(?:it is |is )?(.+)"
 )
