@@ -41,6 +41,7 @@ _ALL_BUT = re.compile(
     r"(?: values of)?(?:\s+[^\W\d]\w*)?\s*,?\s*(?:except(?: for)?|but|other than|außer|bis auf)\s+",
     re.IGNORECASE,
 )
+_FOR = re.compile(r"^\s*(?:only |nur )?(?:for|if|when|für|wenn)\s+(?=[^\W\d]\w*\s*=)")
 _AT_INFINITY = re.compile(
     r"\s*(?:,|;|and|und|\+)\s*(?:one|two|three|an?(?:other)?|\d|eine?|zwei|drei)?\s*(?:more )?(?:zeros?|nullstellen?)?"
     r"\s*(?:at|im|in|bei)\s+(?:infinity|∞|unendlichen|unendlich)\s*\.?$"
@@ -181,7 +182,7 @@ def _modes(text: str, _: Any, expected: Expected) -> str:
 
 
 def _values_when_lost(text: str) -> str:
-    return _ALL_BUT.sub("", _LOST.sub("", text))
+    return _FOR.sub("", _ALL_BUT.sub("", _LOST.sub("", text)))
 
 
 def _finite(text: str) -> str:

@@ -58,6 +58,8 @@ _ON_THE_AXIS = re.compile(r"\s*(?:[σs]\w*\s*=\s*)?\(\s*([^(),;|]+?)\s*[,;|]\s*j
 _FREQUENCY = re.compile(r"\s*\\?(?:ω|omega|w)(?:_\w+|_\{\w+\})?\s*=\s*([^=≈ij]+?)\s*(?:rad/s)?\s*")
 _AND = re.compile(r"\s*(?:[,;]|\band\b|\bund\b)\s*")
 _AT_REST = re.compile(r"\s*[A-Z]\w*\s*\(\s*[sz]?\s*=?\s*[01]\s*\)\s*=")
+_IN_DECIBELS = re.compile(r"^\s*20\s*[*·]?\s*(?:log|lg)(?:_?\{?10\}?|₁₀)?\s*[^=≈]*[=≈]\s*(?=[-+−]?[\d.]+\s*dB\s*$)")
+"""How a ratio in decibels is found."""
 _NONZERO = re.compile(r"[1-9√]")
 
 
@@ -82,6 +84,7 @@ def told_otherwise(text: str, name: str, ours: Any) -> str:
     if not symbols_of(ours) and isinstance(ours, sp.Expr | list):
         text = _VALUE_OF.sub("", _AT.sub("", text, count=1))
     if name in LIMITS or name == "dc_gain" or name.endswith(("_constant", "_margin", "_crossover")):
+        text = _IN_DECIBELS.sub("", text) if name in ("dc_gain", "gain_margin") else text
         return "∞" if _UNBOUNDED.fullmatch(text) or _NONE_INFINITE.fullmatch(text) else _INFINITE.sub(r"\1", text)
     if name in _TOLD:
         return _TOLD[name](text)
@@ -107,6 +110,7 @@ _TOLD: dict[str, Callable[[str], str]] = {
     "damping_ratio": lambda text: "0" if _UNDAMPED.fullmatch(text) else text,
     "critical_gains": lambda text: "none" if _NEVER.fullmatch(text) else text,
     "slopes": _slopes,
+    **dict.fromkeys(("magnitude", "bode_gain", "resonant_peak"), lambda text: _IN_DECIBELS.sub("", text)),
     **dict.fromkeys(("centroid", "real_axis_crossings"), _on_the_real_axis),
 }
 """What is told otherwise, by the name of the answer."""

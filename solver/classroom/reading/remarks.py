@@ -17,6 +17,8 @@ _BESIDE = re.compile(
 )
 _WHERE = re.compile(r"(?<=[\w)°%∞])\s*\(\s*(?:for |für |if |at )?(?=[^()]*[^\W\d_])[^()=]*[<>≤≥][^()]*\)")
 """Where a value holds: -40 (ω < 2), -20 (2 < ω < 10)."""
+_FOUND = re.compile(r"(?<=[\w)°%∞])\s*\(\s*=\s*(?=[^()=]*[A-Za-z]_\{?\w)[^()=]*\)")
+"""How a value is found: 0.25 (= 1/K_a)."""
 _BETWEEN = re.compile(
     r"(?<=[\d)])\s*[,(]?\s*(?:lies |which is |liegt )?(?:between|zwischen)"
     r"\s+[-+−]?[\d.]+\s+(?:and|und)\s+[-+−]?[\d.]+\s*\)?\s*$"
@@ -67,7 +69,7 @@ def without_remarks(text: str, own: str) -> str:
         itself = name == own or (own.endswith(_FREQUENCIES) and name.strip("\\") in ("ω", "omega", "w"))
         return found[0] if itself or _COUNTED.fullmatch(name) else ""
 
-    text = _AT_POLES.sub("", _BETWEEN.sub("", _WHERE.sub("", text)))
+    text = _AT_POLES.sub("", _BETWEEN.sub("", _WHERE.sub("", _FOUND.sub("", text))))
     return _BESIDE.sub(bare, text) if "=" in text or "≈" in text else text
 
 

@@ -103,6 +103,7 @@ LABELS = {
     "gain_margin": ("GM", "A_R", "k_R", "g_m", "G_m", "K_g"),
     "gain_margin_db": ("GM", "A_R", "k_R", "g_m", "G_m", "K_g"),
     "system_type": ("N", "n", "ν", "nu", "l"), "gain": ("K", "k", "k_0", "K_0"),
+    "dc_gain": ("K", "k", "K_0", "K_s", "V", "V_0"),
 }  # fmt: skip
 """What an answer is called too, by its name or its symbol, where this is what another one is called elsewhere."""
 NOUNS = {"nullstellen": "zeros", "nullstelle": "zeros", "zero": "zeros", "pole": "poles", "polstellen": "poles",
