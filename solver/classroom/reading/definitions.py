@@ -50,6 +50,7 @@ _BOUND = re.compile(r"[(.^²³]|\s*\d")
 _BEGINS = re.compile(r"\[(?:[-+−]?\w+[\s,;]+)*$")
 _ENDS = re.compile(r"(?:[\s,;]+[-+−]?\w+)*\s*\]")
 _ENTRY = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:/\d+)?")
+_INDICES = "0123456789₀₁₂₃₄₅₆₇₈₉"
 _FIXED = frozenset({"t", *CONSTANTS})
 """Names that nobody can tell."""
 MOST_NAMES = 10
@@ -64,6 +65,13 @@ class Told:
     argument: str = ""
 
 
+def _are_entries(pieces: list[str]) -> bool:
+    """Whether pieces tell the entries of a row, k1 = 2a, k2 = 3 k1, each of which may hold those before it."""
+    statements = [_TOLD.match(piece) for piece in pieces]
+    letters = {each["name"].rstrip(_INDICES).rstrip("_") for each in statements if each}
+    return all(statements) and len(letters) == 1
+
+
 def with_told_names(text: str, own: Collection[str], known: Collection[str]) -> str:
     """Return what is said with what is told beside it in place of names; "" where nothing is told.
 
@@ -73,7 +81,7 @@ def with_told_names(text: str, own: Collection[str], known: Collection[str]) -> 
     if "=" not in text or len(text) > MAX_CHARACTERS:
         return ""
     pieces, known = _pieces(text), {*map(_key, known)}
-    if not 1 < len(pieces) <= MOST_PIECES:
+    if not 1 < len(pieces) <= MOST_PIECES or _are_entries(pieces):
         return ""
     own, statements = {*map(_key, own)}, [_TOLD.match(piece) for piece in pieces]
     names = {_key(each["name"]) for each in statements if each}

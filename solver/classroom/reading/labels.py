@@ -69,7 +69,7 @@ _VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
 _OF_A = re.compile(r"(?=.*(?<![A-Za-z])A(?![A-Za-z]))[\d\s+*/^(){}·−AIest-]+")
 """What is found from A: e^(-2t) (A + 3I) - e^(-3t) (A + 2I), A^2 + 3A + 2I."""
 _FOUND_BY = re.compile(
-    r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|exp(?=\((?:A\s*[*·]?\s*t|t\s*[*·]?\s*A)\))|charpoly|poly|minreal|tf|ss2tf|step|lim)\b"
+    r"\s*(?:\w+\.)*\\?(?:adj|inv|det|expm|exp(?=\(A\W*t\))|charpoly|poly|minreal|tf|ss2tf|step|lim)\b"
 )
 _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
 _DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿḟġḣṁṅȯṗṙṡṫẇżḞĠḢṖẊẎẌŸ]")
@@ -135,9 +135,7 @@ class Labels:
     def may_define(self, text: str) -> bool:
         """Whether a text beside a sign = may be what the answer is called or how it is found, and no multiple of it."""
         if (
-            _NAME.fullmatch(text)
-            or _NAMES.fullmatch(text)
-            or _LIMIT.fullmatch(text)
+            any(each.fullmatch(text) for each in (_NAME, _NAMES, _LIMIT))
             or _normal(text) in self.own
             or is_similar(text)
             or (self.name == "A" and is_sampled(text))
