@@ -29,6 +29,7 @@ _HEAD = re.compile(rf"^(?:\s*{_WORD}\s*(?:\(\s*[\w∞]+[+⁺]?\s*\))?\s*(?:²|\^
 """The label of a statement, where it has one."""
 _FOUND_BY = re.compile(rf"^{_WORD}['′]*\s*\(\s*\d\s*\)\s*=")
 """The values at the beginning, x(0) = C1 + C2 = 2."""
+_NAME_BEFORE = re.compile(rf"^\s*({_WORD})\s*(?:\(\s*\w\s*\))?\s*=")
 _SHARED = re.compile(rf"^({_WORD})\s*=\s*(?={_WORD}\s*=)")
 """C1 = C2 = 1."""
 _LABELLED = re.compile(rf"^\\?{_WORD}\s*(?:\(\s*[\w∞]+[+⁺]?\s*\))?\s*=(?![=>])")
@@ -99,7 +100,9 @@ def with_told_names(text: str, own: Collection[str], known: Collection[str]) -> 
             if not told[name].value:
                 return ""
     solved = not own and any("=" in _HEAD.sub("", piece) for piece in said)  # λ^2 = 4, λ = 2
-    if not told or not said or solved or len(told) > MOST_NAMES:
+    labels = {_key(found[1]) for piece in said if (found := _NAME_BEFORE.match(piece))}
+    entries = {*map(_numbered, told)} & {*map(_numbered, labels)} - {""}  # k1 = 2, k2 = 3 k1
+    if not told or not said or solved or entries or len(told) > MOST_NAMES:
         return ""
     said = [piece for piece in said if not _FOUND_BY.match(piece) and not _is_about(piece, told, known)]
     return ", ".join(filter(None, (_put(piece, told, known) for piece in _joined(said))))
@@ -224,7 +227,7 @@ def _replaced(text: str, told: Mapping[str, Told], known: Collection[str]) -> st
 
 def _apart(before: str, product: str, after: str) -> str:
     """A product with spaces where it would else be one word or a call with what stands beside it."""
-    left = " " if re.search(r"[\w.)\]]$", before) else ""
+    left = " " if re.search(r"(?:[^\W\d]\w*|[)\]]|(?<![\w.])1)$", before) else ""
     right = " " if re.match(r"[\w(\[]", after) and not re.match(rf"[{_RAISED}]", after) else ""
     return f"{left}{product}{right}"
 
@@ -242,6 +245,11 @@ def _alone(before: str, value: str, after: str) -> bool:
         return True
     bound = _BESIDE.search(before) is not None or _BOUND.match(after) is not None
     return _UNSIGNED.fullmatch(value) is not None and not bound
+
+
+def _numbered(name: str) -> str:
+    """The letter of a name with an index, k of k1; "" of any other name."""
+    return name.rstrip("0123456789") if name[-1:].isdigit() else ""
 
 
 def _used(text: str, names: Collection[str], known: Collection[str]) -> set[str]:
