@@ -84,7 +84,9 @@ _NEVER = re.compile(
 )
 """Never controllable, not controllable for any a. What is so for all a is no plain yes: there may be exceptions."""
 _CONTRACTED = re.compile(r"(?<=[a-z])(?:'s(?=\s)|n't\b)")
-_PREMISE = re.compile(r"\s*(?=[^:,;]*[<>=≤≥≠])(?:[^\W\d_]{1,2}|zeta|omega|lambda|sqrt|[\W\d_])+?\s*[:,;]\s*(?=[^\W\d])")
+_PREMISE = re.compile(
+    r"\s*(?=[^:,;]*[<>=≤≥≠])(?:(?<![^\W\d_])[^\W\d_]{1,2}(?![^\W\d_])|zeta|omega|lambda|sqrt|[\W\d_])+?\s*[:,;]\s*(?=[^\W\d])"
+)
 """ζ < 1: what is concluded from a relation."""
 _IMAGINARY = ("imaginary", "jω", "jw", "imaginäre")
 _REAL = ("real", "reelle")

@@ -12,7 +12,7 @@ from solver.classroom.reading.quantities import told_otherwise
 from solver.classroom.reading.remarks import without_remarks, without_words_in_brackets
 from solver.classroom.reading.said_twice import says_how
 from solver.classroom.reading.sentences import premise
-from solver.classroom.reading.words import truth
+from solver.classroom.reading.words import fitting, truth
 
 
 @pytest.mark.parametrize(
@@ -164,3 +164,10 @@ def test_a_conclusion_in_words_follows_from_a_value():
 )
 def test_what_is_so_for_all_values_is_no_plain_yes(text, said):
     assert truth(text, "controllable") is said
+
+
+@pytest.mark.parametrize("text", ["abcdefghijklmnop" * 60 + " < 0", "a b " * 400 + "< 0", "word " * 300 + "("])
+def test_long_texts_of_words_are_read_without_going_back_and_forth(text):
+    """Patterns that could part a run of letters in many ways would not come to an end here."""
+    assert fitting(text, ("stable",)) == []
+    assert premise(text) == ""
