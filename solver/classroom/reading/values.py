@@ -11,7 +11,6 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
-from unicodedata import normalize
 
 import sympy as sp
 
@@ -21,17 +20,16 @@ from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.definitions import own_statement, with_told_names, without_constants
 from solver.classroom.reading.eigenpairs import eigenpairs, with_plain_signs
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.general_forms import is_general
 from solver.classroom.reading.labels import (
     ForeignLabelError,
     Labels,
-    changes,
     of_another_argument,
     with_own_labels,
     without_range,
 )
+from solver.classroom.reading.last_sides import VARIABLES, last_side
 from solver.classroom.reading.latex import plainly
-from solver.classroom.reading.likeness import SIGNALS, has_step, is_condition, is_like, is_of_time
+from solver.classroom.reading.likeness import has_step, is_condition, is_like, is_of_time
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.otherwise import other_texts
@@ -40,8 +38,7 @@ from solver.classroom.reading.phasors import as_sinusoid
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
 from solver.classroom.reading.quantities import is_value_at_rest
-from solver.classroom.reading.said_twice import same, says_how, sides
-from solver.classroom.reading.sentences import sides_of
+from solver.classroom.reading.said_twice import sides
 from solver.classroom.reading.signal_values import SignalReader
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
@@ -54,12 +51,6 @@ from solver.problem.nodes import Node, ScalarNode, SequenceNode
 from solver.problem.source import Fault
 
 MAX_ENTRIES = 400
-_VALUE_AT = re.compile(r"[A-Z]\w?\s*\(\s*[\d.j∞]+\s*\)")
-"""G(0), which is the value of a function and no product."""
-VARIABLES = {"s", "z", "t", "k", "lamda"}
-"""Letters of functions: what is labelled with another argument is another function."""
-_WORDS = re.compile(r"[^\W\d]\w*")
-_DOT = re.compile(r"_d*dot$")
 MOST_LAYERS = 2
 """Sentences within sentences that are gone into."""
 
@@ -163,7 +154,9 @@ class Reader:
             other = prepared(ScalarNode(node.place, text, "quoted"), ours, self.expected.name)
             if found := self._like(other, ours) or self._within(other, ours, depth + 1):
                 return found
-        return (self._with_told_names(node, ours) if depth else []) or self._last_side(node, ours)
+        return (self._with_told_names(node, ours) if depth else []) or last_side(
+            node, ours, self.expected, lambda side: self._like(side, ours)
+        )
 
     def _with_told_names(self, node: Node, ours: Any) -> list[Submitted]:
         """What a text says with what it tells of its names put in their place; nothing of any other text."""
@@ -199,65 +192,6 @@ class Reader:
             return [each for each in self._readings(node, ours)[0] if is_like(each.value, ours)]
         except Fault:
             return []
-
-    def _last_side(self, node: ScalarNode, ours: Any) -> list[Submitted]:
-        """What stands behind the last sign of equality, where no other side is another value. Raises Fault."""
-        if isinstance(ours, Mapping) or self.expected.zero:
-            return []
-        sides = sides_of(node.text)
-        of_a_variable = isinstance(ours, sp.Expr) and bool({x.name for x in symbols_of(ours)} & VARIABLES)
-        end = self.expected.name in ("y_final", "y_peak")
-        other = bool(sides) and of_another_argument(f"{sides[0]} = 0", of_a_variable=of_a_variable, at_its_end=end)
-        if other or (of_a_variable and any(map(self._is_of_own, sides[:-1]))):
-            return []
-        if polynomials.variable_of(ours) is not None and sides and sides[-1] == "0":
-            sides = sides[:-1]
-        if not sides:
-            return []
-        if any(map(self.expected.labels.is_own, sides[1:-1])):  # K = G(0) = 2
-            sides = sides[[self.expected.labels.is_own(side) for side in sides].index(True) :]
-        try:
-            self.expected.labels.without(f"{sides[0]} = 0")
-        except ForeignLabelError:
-            if not (changes(sides[0]) and self._is_formula(sides[0], ours)):
-                return []
-        written = [ScalarNode(node.place, side, "quoted") for side in sides]
-        found = [[] if _VALUE_AT.fullmatch(side.text) else self._like(side, ours) for side in written]
-        *before, last = found
-        if not last:
-            return []
-        known = symbols_of(last[0].value)
-        how = [self._says_how(side) for side in sides]
-        values = [
-            [] if formula else [each for each in one if symbols_of(each.value) <= known]
-            for formula, one in zip(how, before, strict=False)
-        ]
-        for side, known_values in zip(sides, values, strict=False):
-            if known_values and not any(same(each, one) for each in known_values for one in last):
-                raise node.fault(f"{side} and {sides[-1]} are not equal")
-        named = values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours) or how[0]
-        named = named or (bool(symbols_of(ours)) and is_general(sides[0], self.expected.labels))
-        return last if named or polynomials.compares(ours, found[0], known) else []
-
-    def _is_of_own(self, side: str) -> bool:
-        """Whether a side is another quantity that is made of the one asked for: t f(t), dy/dt, 2 y; no loop of G."""
-        labels = self.expected.labels
-        if not labels.before(f"{side} = 0")[0] or is_general(side, labels):
-            return False
-        words = [_DOT.sub("", word) for word in _WORDS.findall(normalize("NFD", side))]
-        words += [word[1:] for word in words if word[0] == "d" and len(word) > 1]
-        return any(not word[-1].isdigit() and not labels.before(f"{word} = 0")[0] for word in words)
-
-    def _says_how(self, text: str) -> bool:
-        """Whether a text says how a value is found from values of functions, or from components beside signals."""
-        signals = self.expected.signals.names if self.expected.signals else ()
-        return says_how(text, signals, of_functions=self.expected.name in ("error", *SIGNALS, "y_steady_state"))
-
-    def _is_formula(self, text: str, ours: Any) -> bool:
-        """Whether a text says how a number is found from other quantities: exp(-πζ/√(1-ζ²)), 1/K_v."""
-        kind = sp.Expr | list if "±" in text else sp.Expr
-        number = isinstance(ours, kind) and getattr(ours, "shape", (1, 1)) == (1, 1) and not symbols_of(ours)
-        return number and self.expected.labels.is_of_others(text)
 
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
         self.equation = False
