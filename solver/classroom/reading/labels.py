@@ -283,9 +283,7 @@ def _spellings(answer: AnswerName) -> set[str]:
 
 
 def _is_quantity(label: str) -> bool:
-    return any(
-        label in (_normal(name), _normal(symbol)) for table in NOTATIONS.values() for name, symbol in table.items()
-    )
+    return any(label in map(_normal, pair) for table in NOTATIONS.values() for pair in table.items())
 
 
 def _normal(label: str) -> str:
