@@ -29,6 +29,7 @@ _NOT_FULL = re.compile(
     re.IGNORECASE,
 )
 """Less than the full number, in words."""
+_SIGNED = re.compile(r"\s*(?:N\s*=\s*)?[-−](\d+\b.*)")
 _IN_BRACKETS = re.compile(r"\s*(?:\w\s*=\s*)?([-+−]?\w+)\s*[,(]\s*([^()]*)\)?\s*")
 _EQUALLY = re.compile(r"\s*(\d{1,3})\s*=\s*n\s*$")
 _TIMES = {"once": "one", "twice": "two", "einmal": "eins", "zweimal": "zwei"}
@@ -154,6 +155,8 @@ def _turned(text: str) -> str | None:
     """Turns in digits, None where a remark beside them says another number; any other text as it is."""
     if (turns := _turns(text)) is not None:
         return turns
+    if (signed := _SIGNED.fullmatch(text)) and (turns := _turns(signed[1])) is not None:
+        return turns if turns.startswith("-") else None  # -1 (ccw)
     found = _IN_BRACKETS.fullmatch(text)
     turns = _turns(found[2]) if found else None
     if found is None or turns is None:

@@ -92,6 +92,9 @@ def test_what_is_added_to_the_last_input_has_the_coefficients():
         ("2 closed-loop poles in the RHP", "open_loop_unstable_poles", None),
         ("1 (once clockwise)", "encirclements", "1"),
         ("1 (once counterclockwise)", "encirclements", None),
+        ("N = -1 (counterclockwise)", "encirclements", "-1"),
+        ("-1 (cw)", "encirclements", None),
+        ("1 (ccw)", "encirclements", "-1"),
         ("proportional (type 0)", "system_type", "0"),
     ],
 )
