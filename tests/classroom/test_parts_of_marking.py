@@ -120,7 +120,7 @@ def test_what_share_of_an_answer_is_right(verdict, entries, share):
 
 
 def test_marks_are_numbers_of_two_decimals_and_add_up():
-    assert [number(Fraction(*each)) for each in ((4, 2), (1, 3), (5, 8))] == [2, 0.33, 0.62]
+    assert [number(Fraction(*each)) for each in ((4, 2), (1, 3), (5, 8))] == [2, 0.33, 0.63]
     wrong = {"K": AnswerVerdict("K", Verdict.WRONG)}
     parts = (
         PartVerdict("a", "", {}, Fraction(1, 2), Fraction(2)),

@@ -147,7 +147,7 @@ def test_a_bug_is_reported_in_words_and_its_traceback_is_kept_for_whoever_asks(s
     def broken(*_, **__):
         raise ZeroDivisionError("of our own making")
 
-    monkeypatch.setattr("solver.render.page.render_page", broken)
+    monkeypatch.setattr("solver.render.page.encoded_page", broken)
     done = solve("good.yaml")
     assert done.code == 1
     assert "good.yaml: internal error: ZeroDivisionError: of our own making" in done.err
@@ -161,14 +161,14 @@ def test_a_bug_in_one_file_does_not_stop_the_rest(solve, good, tmp_path, monkeyp
     (tmp_path / "second.yaml").write_text(GOOD, encoding="utf-8")
     from solver.render import page  # noqa: PLC0415 - what is replaced
 
-    original = page.render_page
+    original = page.encoded_page
 
     def broken_for_one(document, **options):
         if document.name == "good.yaml":
             raise ZeroDivisionError
         return original(document, **options)
 
-    monkeypatch.setattr(page, "render_page", broken_for_one)
+    monkeypatch.setattr(page, "encoded_page", broken_for_one)
     monkeypatch.setattr(Workers, "executor", lambda _: Processes(1, "fork"))  # which has what is replaced here
     assert solve("good.yaml", "second.yaml").code == 1
     assert (tmp_path / "second.html").is_file()

@@ -143,7 +143,7 @@ def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
     counts, in_order, vectors = (answers_declared(fact) for fact in ("count", "ordered", "vectors"))
     assert counts == {
         "rank", "right_half_plane_roots", "imaginary_axis_roots", "orders", "normal_rank", "system_type",
-        "encirclements", "open_loop_unstable_poles", "closed_loop_unstable_poles", "unstable_poles",
+        "encirclements", "open_loop_unstable_poles", "closed_loop_unstable_poles", "unstable_poles", "steps",
     }  # fmt: skip
     assert in_order - BY_STEPS == {
         "orders", "definiteness", "determinants", "costates", "diagonal", "invariant_factors", "relative_degrees",

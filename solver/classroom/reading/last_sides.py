@@ -19,12 +19,13 @@ from solver.classroom.reading.said_twice import same, says_how
 from solver.classroom.reading.sentences import sides_of
 from solver.classroom.submitted import Submitted
 from solver.problem.nodes import Node, ScalarNode
+from solver.symbols import CONTINUOUS
 
 _VALUE_AT = re.compile(r"[A-Z]\w?\s*\(\s*[\d.j∞]+\s*\)")
 """G(0), which is the value of a function and no product."""
 _WORDS = re.compile(r"[^\W\d]\w*")
 _DOT = re.compile(r"_d*dot$")
-VARIABLES = {"s", "z", "t", "k", "lamda"}
+VARIABLES = CONTINUOUS | {"k"}
 """Letters of functions: what is labelled with another argument is another function."""
 
 

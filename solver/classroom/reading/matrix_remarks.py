@@ -8,6 +8,7 @@ import sympy as sp
 
 from solver.classroom.reading.brackets import cells, enclosed, split
 from solver.problem.expressions.notation import FUNCTIONS
+from solver.symbols import POLYNOMIAL, TIME
 
 _REMARK = re.compile(r"(?<=[\])])\s*,?\s*(?:\(([^()\d=<>]*)\)|(?:%|#|//)\s*([^\d=<>]*))\s*\.?$")
 _REASON = re.compile(
@@ -52,7 +53,7 @@ _ON_DIAGONAL = re.compile(
 _BETWEEN = re.compile(r"\s*[,;\n]\s*")
 _ITS_NAME = re.compile(r"\\?[^\W\d]\w*\s*(?:\([tk]\))?")
 _WORDS = re.compile(r"[^\W\d]\w*")
-_OF_MOTION = frozenset({"t", "k", "s", "z", "e", "j", "pi", "π", *FUNCTIONS})
+_OF_MOTION = POLYNOMIAL | TIME | {"e", "j", "pi", "π", *FUNCTIONS}
 """Words that may stand in a value, and name nothing else."""
 
 

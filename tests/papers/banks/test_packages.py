@@ -119,4 +119,4 @@ def test_the_fields_of_a_part_add_up_to_its_marks_in_hundredths():
     (found,) = quizzes_of(canvas_package(quiz_with(items)))
     assert sum(Decimal(str(each.points)) for each in found.entries) == 2
     (first, *_) = read_moodle(moodle_xml(quiz_with(items)))
-    assert [gap.weight for gap in first.gaps] == [4, 1, 1, 1, 1, 4]  # Moodle keeps the ratio in whole weights
+    assert [gap.weight for gap in first.gaps] == [136, 33, 33, 33, 33, 132]  # in Moodle whole weights: hundredths of 4
