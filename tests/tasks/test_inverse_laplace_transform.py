@@ -16,6 +16,7 @@ from solver.tasks import catalogue
 from tests.helpers.marked import verdict
 
 S, T = sp.symbols("s t")
+A, B = sp.symbols("a b", real=True)
 step, delta = sp.Heaviside, sp.DiracDelta
 METHODS = ("partial_fractions", "residues", "convolution")
 
@@ -172,6 +173,28 @@ def test_corrupted_functions_are_rejected(F, wrong):
 def test_corrupted_partial_fractions_are_rejected():
     assert rejected("1/((s + 1)(s + 2))", partial_fractions=1 / (S + 1) + 1 / (S + 2))
     assert not rejected("1/((s + 1)(s + 2))", partial_fractions=1 / (S + 1) - 1 / (S + 2))
+
+
+@pytest.mark.parametrize(
+    ("F", "total", "right"),
+    [
+        ("1/((s + 1)(s + 2))", 1 / ((S + 1) * (S + 2)), False),
+        ("1/((s + 1)(s + 2))", 1 / (S**2 + 3 * S + 2), False),
+        ("1/(s (s + 1)(s + 2))", 1 / (2 * S) - S / (2 * (S + 1) * (S + 2)) - 1 / ((S + 1) * (S + 2)) * 3 / 2, False),
+        ("s/(s + 1)^2", S / (S + 1) ** 2, False),
+        ("s/(s + 1)^2", 1 / (S + 1) - 1 / (S + 1) ** 2, True),
+        ("s/(s + 1)", S / (S + 1), False),
+        ("s/(s + 1)", 1 - 1 / (S + 1), True),
+        ("(s + 3)/(s^2 + 2s + 5)", (S + 3) / (S**2 + 2 * S + 5), True),
+        ("1/(s^2 - 3)", 1 / (S**2 - 3), True),
+        ("exp(-s)/(s (s + 1))", sp.exp(-S) * (1 / S - 1 / (S + 1)), True),
+        ("exp(-s)/(s (s + 1))", sp.exp(-S) / (S * (S + 1)), False),
+        ("1/((s + a)(s + b))", (1 / (S + A) - 1 / (S + B)) / (B - A), True),
+        ("1/((s + a)(s + b))", 1 / ((S + A) * (S + B)), False),
+    ],
+)
+def test_each_term_has_one_pole_or_a_pair(F, total, right):
+    assert rejected(F, partial_fractions=total) is not right
 
 
 @pytest.mark.parametrize(

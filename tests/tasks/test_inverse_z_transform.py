@@ -188,6 +188,20 @@ def test_corrupted_sequences_are_rejected(F, wrong):
     assert not rejected(F, f=answers(F)["f"])
 
 
+@pytest.mark.parametrize(
+    ("F", "total", "right"),
+    [
+        ("z/((z - 1)(z - 2))", Z / (Z - 2) - Z / (Z - 1), True),
+        ("z/((z - 1)(z - 2))", 2 / (Z - 2) - 1 / (Z - 1), True),
+        ("z/((z - 1)(z - 2))", Z / ((Z - 1) * (Z - 2)), False),
+        ("1/(z^3 (z - 1))", Z**-3 / (Z - 1), True),
+        ("1/(z^3 (z - 1)(z - 2))", Z**-3 / ((Z - 1) * (Z - 2)), False),
+    ],
+)
+def test_each_term_of_partial_fractions_has_one_pole_or_a_pair(F, total, right):
+    assert rejected(F, partial_fractions=total) is not right
+
+
 def test_corrupted_values_and_fractions_are_rejected():
     F = "z/((z - 1)(z - 2))"
     assert not rejected(F, values=[0, 1, 3, 7, 15, 31], partial_fractions=Z / (Z - 2) - Z / (Z - 1))

@@ -123,9 +123,12 @@ def has_the_image(given: Given[StateSpace, InverseLaplaceOptions], answers: Answ
 
 @inverse_laplace_transform.verification("partial_fractions")
 def adds_up_to_the_image(given: Given[StateSpace, InverseLaplaceOptions], answers: Answers) -> Iterable[Check]:
-    """The sum is F at random s."""
-    claim = Claim(answers["partial_fractions"], given.options.F)
-    yield numeric.check_claim(claim, "the partial fractions add up to $F(s)$")
+    """The sum is F at random s, and each of its terms has one pole or a pair, to a power."""
+    total = answers["partial_fractions"]
+    yield numeric.check_claim(Claim(total, given.options.F), "the partial fractions add up to $F(s)$")
+    yield Check.that(
+        "each term is a partial fraction", "factors of the denominators", judges.are_partial(total, sp.Symbol("s"))
+    )
 
 
 name_mistakes_of_functions(inverse_laplace_transform)

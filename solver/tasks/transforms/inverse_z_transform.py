@@ -130,9 +130,11 @@ def are_the_first_values(given: Given[StateSpace, InverseZOptions], answers: Ans
 
 @inverse_z_transform.verification("partial_fractions")
 def adds_up_to_the_image(given: Given[StateSpace, InverseZOptions], answers: Answers) -> Iterable[Check]:
-    """The sum is F at random z."""
-    claim = Claim(answers["partial_fractions"], given.options.F)
-    yield numeric.check_claim(claim, "the partial fractions add up to $F(z)$")
+    """The sum is F at random z, and each of its terms has one pole or a pair, to a power."""
+    total = answers["partial_fractions"]
+    yield numeric.check_claim(Claim(total, given.options.F), "the partial fractions add up to $F(z)$")
+    holds = judges.are_partial(total, sp.Symbol("z"), sampled=True)
+    yield Check.that("each term is a partial fraction", "factors of the denominators", holds)
 
 
 name_mistakes_of_sequences(inverse_z_transform)

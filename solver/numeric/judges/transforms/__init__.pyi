@@ -1,6 +1,7 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.transforms.equations import Problem, sides_in_time, transformed_sides
+from solver.numeric.judges.transforms.fractions import are_partial
 from solver.numeric.judges.transforms.inverse import values_in_time
 from solver.numeric.judges.transforms.laplace import transform_of
 from solver.numeric.judges.transforms.recursions import Recursion, first_values, values_of_recursion
@@ -15,6 +16,7 @@ from solver.numeric.judges.transforms.sequences import (
 __all__ = [
     "Problem",
     "Recursion",
+    "are_partial",
     "first_values",
     "sampled_values",
     "samples_of_image",
