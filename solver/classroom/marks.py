@@ -20,13 +20,14 @@ USUAL_COST = Fraction(1, 2)
 def carried(part: Part, ours: Mapping[str, Any], out_of: Fraction) -> dict[str, Fraction]:
     """Return the marks that each answer carries: its own where the problem gives them, else equal ones for those asked.
 
-    Those asked for are what the part names, else the principal answers of its task that this question has. Where the
-    part tells its marks they are those that a key prints: in hundredths that add up.
+    Those asked for are what the part names, else the principal answers of its task, as far as this question has them.
+    Where the part tells its marks they are those that a key prints: in hundredths that add up.
     """
     if part.answer_marks:
         each = {name: fraction(marks) for name, marks in part.answer_marks.items()}
     else:
-        asked = part.asked or [name for name in asked_of(part, catalogue()[part.task]) if name in ours]
+        named = part.asked or asked_of(part, catalogue()[part.task])
+        asked = [name for name in named if name in ours] or part.asked
         each = {name: out_of / len(asked) for name in asked}
     return each if part.marks is None else dict(zip(each, told_in_hundredths(list(each.values())), strict=True))
 

@@ -86,10 +86,10 @@ def marks_of(part: Part, task: Task[Any, Any]) -> dict[str, Any]:
 def marks_shown(part: Part, task: Task[Any, Any], found: Collection[str]) -> dict[str, Fraction]:
     """Return the marks of each answer as they are printed: in hundredths that add up, where those of all are some.
 
-    Where the part does not say what is asked for, answers that this question has not (they are not `found`) carry none.
+    Where the part does not give marks to each, answers that this question has not (they are not `found`) carry none.
     """
     told = marks_of(part, task)
-    if not (part.answer_marks or part.asked) and (there := [name for name in told if name in found]):
+    if not part.answer_marks and (there := [name for name in told if name in found]):
         told = dict.fromkeys(there, sum(told.values()) / len(there))
     exact = {name: Fraction(int(each.p), int(each.q)) for name, each in told.items()}
     return dict(zip(exact, told_in_hundredths(list(exact.values())), strict=True))

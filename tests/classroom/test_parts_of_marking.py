@@ -10,6 +10,8 @@ from solver.classroom.judging.entries import all_right, entrywise, shaped
 from solver.classroom.report.words import number, wrong_places
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.problem.nodes import ScalarNode
 from tests.helpers.marked import marked, marker, solved, verdict
 
@@ -217,3 +219,32 @@ def test_a_whole_number_is_not_explained_by_a_mistake(b, value, named):
     found = verdict(plant, "a", "determinant", value)  # of the other sign
     assert found.verdict == "wrong"
     assert ("sign" in found.reason) is named
+
+
+def test_an_answer_that_the_question_has_not_carries_no_marks():
+    """A discretization without an output equation to y has no G: its marks are those of the others, on keys as well."""
+    text = (
+        "title: T\nfind:\n"
+        "  a: {task: discretization, system: {A: [[0]], B: [1]}, sample_time: 1, answers: [A, B, G], marks: 3}\n"
+    )
+    part = marked(text, "answers: {a: {A: [[1]], B: [[1]]}}")["a"]
+    assert (part.marks, part.out_of) == (3, 3)
+    (shown,) = document_of(solved(text), Presentation("key")).parts
+    assert [answer.marks for answer in shown.boxed] == ["1.5", "1.5"]
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value", "right"),
+    [
+        ("a", "K", "u = -tanh(1 - t) x", True), ("a", "K", "u = tanh(1 - t) x", False),
+        ("b", "nature", "weak minimum", True), ("b", "nature", "weak maximum", False),
+    ],
+)  # fmt: skip
+def test_a_law_of_one_state_and_a_weak_extremum_are_read(part, name, value, right):
+    functional = '{integrand: "x\'^2 + x^2", from: 0, to: 1, ends: {x: [0, 1]}}'
+    text = (
+        "title: T\nfind:\n"
+        "  a: {task: finite_horizon_lqr, system: {A: [[0]], B: [1]}, Q: [[1]], R: [[1]], final_time: 1}\n"
+        f"  b: {{task: extremal, system: {{functional: {functional}}}}}\n"
+    )
+    assert (verdict(text, part, name, value).verdict == "correct") is right

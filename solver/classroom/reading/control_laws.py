@@ -11,7 +11,6 @@ _LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$"
 _STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
 _REFERENCE = re.compile(r"\s*\+\s*(?:(?:[A-Z]_?\w?|[\d./]+)\s*[*·]?\s*)?[rvw](?:\([tk]\)|\[k\])?\s*$")
 _BEFORE = re.compile(r"^\s*(?:(?:[A-Z]_?\w?|[\d./]+)\s*[*·]?\s*)?[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
-_SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _EACH = re.compile(r"\s*u_?([1-9])(?:\([tk]\)|\[k\])?\s*=\s*(.+)", re.DOTALL)
 _BETWEEN = re.compile(r"\s*[,;\n]\s*(?:and\s+|und\s+)?|\s+(?:and|und)\s+")
@@ -41,10 +40,10 @@ def gain_of(text: str) -> str:
     if (row := _row_beside(law, _STATE)) is not None:
         sign, entries = row
         return entries if sign else f"-{entries}"
-    if found := _SCALAR.match(law):
-        return f"[({'' if found[1] else '-'}({found[2]}))]"
-    coefficients = _coefficients(law)
-    return f"[{', '.join(f'-({each})' for each in coefficients)}]" if coefficients else ""
+    if (alone := coefficients(law, "x") or {}).keys() == {("x", "")}:  # u = -tanh(1 - t) x
+        return f"[-({alone['x', '']})]"
+    listed = _coefficients(law)
+    return f"[{', '.join(f'-({each})' for each in listed)}]" if listed else ""
 
 
 def gains_of(text: str) -> str:

@@ -63,6 +63,7 @@ PHRASES = {
     **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
     **dict.fromkeys(("unstable saddle", "hyperbolic saddle"), "saddle"),
     **dict.fromkeys(("no damped", "without damped", "not damped", "keine dämpfung", "ohne dämpfung"), "undamped"),
+    **{f"{weak} {end}": end for weak in ("weak", "schwaches") for end in ("minimum", "maximum")},
     **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
     **dict.fromkeys(("unterkritisch damped", "unterkritisch", "periodisch damped", "schwingfähig"), "underdamped"),
     "schwingungsfähig": "underdamped",
