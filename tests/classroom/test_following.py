@@ -306,6 +306,21 @@ def test_one_slip_in_a_realization_is_blamed_alone(part, answers, marks, blamed)
     assert entries(REALIZED, part, answers) == (marks, {**GOOD, **blamed})
 
 
+ELSEWHERE = """
+system: {A: [[-1, 0, 0], [0, -2, 0], [0, 0, -5]], B: [1, 0, 2], C: [1, 3, 1]}
+find: {a: {task: minimal_realization, marks: 4}}
+"""
+
+
+@pytest.mark.parametrize(
+    "answers", ["A: [[0, 1], [-5, -6]], B: [0, 1], C: [3, 7]", "A: [[0, -5], [1, -6]], B: [3, 7], C: [0, 1]"]
+)
+def test_the_later_one_is_blamed_in_coordinates_with_zeros_that_ours_have_not(answers):
+    # G = (3s + 7)/(s² + 6s + 5) with ours diagonal: C could be [7, 3], and B = [7, 3] or another one alike
+    found = entries(ELSEWHERE, "a", answers + ", D: 0")[1]
+    assert found == {**GOOD, "C": (W, [[W, W]])}
+
+
 def test_a_slip_in_the_system_matrix_leaves_the_others_right():
     answers = "A: [[-1, 0], [0, -3]], B: [1, 1], C: [3, -2], D: 0"
     assert entries(REALIZED, "a", answers) == (3.75, {**GOOD, "A": (W, [[C, C], [C, W]])})

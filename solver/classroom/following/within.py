@@ -69,16 +69,31 @@ class OwnAnswers:
                 yield from self._by(formula)
 
     def _by(self, formula: Consequence) -> Iterator[Value]:
-        choices = product(*(self.values(name) for name in formula.of))
+        choices = product(*(self._sources(name, formula) for name in formula.of))
         for chosen in islice(choices, MOST_TRIED):
             own = tuple(dict.fromkeys(name for value in chosen for name in value.own))
             if own and (found := self._found(formula, [value.what for value in chosen])) is not None:
                 yield Value(found, own)
 
+    def _sources(self, name: str, formula: Consequence) -> list[Value]:
+        """The values from which a formula may take an answer.
+
+        What is completed stands in coordinates of its own: more zeros than ours there make nothing trivial.
+        """
+        values = self.values(name)
+        if formula.completing and (own := self._clear(name)) is not None and (name,) not in (v.own for v in values):
+            return [Value(own, (name,)), *values]
+        return values
+
     def _submitted(self, name: str) -> Submitted | None:
-        """The value submitted, where it is clear, another than ours and not trivial; coarse decimals as they stand."""
-        each, ours = self.submitted.get(name), self.ours.get(name)
-        if each is None or each.others or each.value == ours or trivial(each.value, ours):
+        """The value submitted, where it is clear, another than ours and not trivial."""
+        own = self._clear(name)
+        return None if own is None or trivial(own.value, self.ours.get(name)) else own
+
+    def _clear(self, name: str) -> Submitted | None:
+        """The value submitted, where it is clear and another than ours; coarse decimals as they stand."""
+        each = self.submitted.get(name)
+        if each is None or each.others or each.value == self.ours.get(name):
             return None
         return each.with_digits(self.question.digits)
 
