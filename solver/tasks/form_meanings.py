@@ -100,16 +100,21 @@ def commutes(A: ImmutableMatrix, F: ImmutableMatrix) -> Reason | None:
 
 
 def other_transfer(own: Mapping[str, Any], D: Any, wanted: Any, x: Any) -> Reason | None:
-    """Return where C (xI − A)⁻¹ B + D of a realization differs from the transfer function; A, B, C must be known."""
+    """Return where C (xI − A)⁻¹ B + D of a realization differs from the transfer function; A, B, C must be known.
+
+    D is that of the transfer function: a slip in one's own is told of D, and would be taken for one of A, B or C.
+    """
     if not {"A", "B", "C"} <= own.keys():
         return None
     A, B, C = (sp.Matrix(own[name]) for name in "ABC")
+    through = not D.is_zero_matrix or own.get("D", D) != D
     for point in (1, 2, 3):
         M = point * sp.eye(A.rows) - A
         if M.free_symbols or M.det() == 0:
             continue
-        value = sp.ImmutableMatrix(C * M.inv() * B + sp.Matrix(own.get("D", D)))
+        value = sp.ImmutableMatrix(C * M.inv() * B + sp.Matrix(D))
         found = difference_at(value, wanted.xreplace({x: sp.Integer(point)}), x, point)
         if found is not None:
-            return Reason("meanings/other_transfer", {**found.values, "x": x, "point": sp.Integer(point)})
+            at = {"x": x, "point": sp.Integer(point)}
+            return Reason("meanings/other_transfer", {**found.values, **at, "through": through})
     return None

@@ -22,12 +22,15 @@ NEAR = 1e-2
 """A vector that A turns by less may be an eigenvector in rounded numbers."""
 
 
-def poles_given(loop: ImmutableMatrix, asked: Sequence[Expr], whose: str = "K") -> Reason | None:
-    """Return the poles of a loop beside those asked for; None where they look alike, or the loop holds symbols."""
+def poles_given(loop: ImmutableMatrix, asked: Sequence[Expr], beside: str = "") -> Reason | None:
+    """Return the poles of a loop beside those asked for; None where they look alike, or the loop holds symbols.
+
+    `beside` is the symbol of another value of the student's that the loop is made of.
+    """
     found, wanted = spectrum(loop), told(asked)
     if found is None or found == wanted:
         return None
-    return Reason("meanings/poles", {"found": found, "wanted": wanted, "whose": whose})
+    return Reason("meanings/poles", {"found": found, "wanted": wanted, "beside": beside})
 
 
 def sum_of_poles(part: ImmutableMatrix, asked: Sequence[Expr]) -> Reason | None:

@@ -196,6 +196,33 @@ def test_matrices_of_another_transfer_function_are_told_by_its_value():
     assert any(r"with your $A$, $B$, $C$, at $s = 1$ the transfer function is $\frac{5}{6}$" in each for each in told)
 
 
+@pytest.mark.parametrize(
+    ("numerator", "D", "words"),
+    [
+        ("s + 3", "", r"$C$, at $s = 1$ the transfer function is $\frac{5}{6}$, not $\frac{2}{3}$"),
+        ("s + 3", ", D: 0", r"$C$, at $s = 1$ the transfer function is $\frac{5}{6}$, not $\frac{2}{3}$"),
+        ("s + 3", ", D: 1", r"$C$ and $D = G(\infty)$, at $s = 1$ the transfer function is $\frac{5}{6}$, not"),
+        ("s^2 + 4s + 5", ", D: 1", r"$C$ and $D = G(\infty)$, at $s = 1$ the transfer function is $\frac{11}{6}$, not"),
+        ("s^2 + 4s + 5", ", D: 0", r"$C$ and $D = G(\infty)$, at $s = 1$ the transfer function is $\frac{11}{6}$, not"),
+    ],
+)
+def test_the_direct_path_in_the_figure_is_named_and_never_a_wrong_one(numerator, D, words):
+    text = f"""
+system: {{transfer_function: '({numerator})/(s^2+3s+2)'}}
+find: {{a: {{task: realization, form: controllable}}}}
+"""
+    found = marked(text, f"answers: {{a: {{A: [[0, 1], [-2, -3]], B: [0, 1], C: [3, 2]{D}}}}}")["a"].answers["C"]
+    assert words in found.reason + found.note
+
+
+def test_both_gains_of_a_loop_are_named_with_its_poles():
+    answers = "answers: {servo: {K: [10, 4], k_I: 6}}"
+    found = marked(PLANT.format(language="en"), answers)["servo"].answers["K"]
+    assert found.reason.startswith("with your $K_f$ and $k_I$ the poles are")
+    in_german = marked(PLANT.format(language="de"), answers)["servo"].answers["K"]
+    assert in_german.reason.startswith("mit Ihrem $K_f$ und $k_I$ sind die Pole")
+
+
 @pytest.mark.parametrize("value", ["1.00001 exp(-t)", "[[1.00002, 0], [0, 1]]"])
 def test_what_is_told_alike_is_not_told_apart(value):
     part, name = ("Phi", "Phi") if value.startswith("[") else ("response", "y")

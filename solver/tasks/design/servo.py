@@ -257,4 +257,5 @@ def poles_of_the_loop(wrong: Attempt[WithBoth, PoleOptions]) -> Reason | None:
         return meanings.sum_of_poles(wrong.given.system.A - wrong.given.system.B * own["K"], asked)
     if "K" not in own:
         return None
-    return meanings.poles_given(loop_of_the_gains(wrong.given, own), asked)
+    other = "k_I" if wrong.name == "K" else r"\sym{K}"
+    return meanings.poles_given(loop_of_the_gains(wrong.given, own), asked, beside=other)
