@@ -57,7 +57,7 @@ TOLD = [
     ("lqr", "K", "[-3, 0]", r"with your $K_f$ the poles are $-3.303,\ 0.3028$: that is not asymptotically stable"),
     ("costly", "K", "[1, 1]",
      r"with your $K_f$ the loop is stable, with the poles $-3,\ -1$, but from $x(0) = \begin{bmatrix}0\\1\end{bmatrix}$"
-     r" the cost is $J = \frac{1}{3}$; the least is $J^{*} = 0.2361$"),
+     r" the cost with the factor $1$ before it is $J = \frac{1}{3}$; the least is $J^{*} = 0.2361$"),
     ("servo", "K", "[10, 4]", r"with your $K_f$ the poles add up to $-7$, whatever the gain of the integrator is;"
      " those asked for add up to $-6$"),
     ("routh", "array", "[[1, 3], [2, 5], [1, 0], [4, 0]]",
@@ -213,6 +213,24 @@ find: {{a: {{task: realization, form: controllable}}}}
 """
     found = marked(text, f"answers: {{a: {{A: [[0, 1], [-2, -3]], B: [0, 1], C: [3, 2]{D}}}}}")["a"].answers["C"]
     assert words in found.reason + found.note
+
+
+@pytest.mark.parametrize(
+    ("cost", "words"),
+    [
+        ("7.348", r"the cost with the factor $1$ before it is $J = 12.73$; the least is $J^{*} = 7.348$"),
+        ("3.674", r"the cost is $J = 6.364$; the least is $J^{*} = 3.674$"),
+    ],
+)
+def test_a_factor_that_is_taken_over_from_the_cost_is_told_of_the_gain(cost, words):
+    # with K = [9, 3√2] the Lyapunov equation gives X = [[9√2, 5], [5, 7√2/3]]: xᵀXx = 9√2 = 12.73 from (1, 0)
+    text = """
+system: {A: [[0, 1], [0, 0]], B: [0, 1], C: [1, 0]}
+find: {e: {task: lqr, output_weight: 9, R: 1, initial_state: [1, 0]}}
+"""
+    found = marked(text, f"answers: {{e: {{K: [9, 4.243], cost: {cost}}}}}")["e"].answers
+    assert found["cost"].verdict == "correct"
+    assert words in found["K"].reason + found["K"].note
 
 
 def test_both_gains_of_a_loop_are_named_with_its_poles():

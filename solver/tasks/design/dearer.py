@@ -14,7 +14,10 @@ NOTABLE = 1e-3
 
 
 def dearer(weights: judges.Weights, K: Any, x0: Any, factor: Any) -> Reason | None:
-    """Return the poles and the cost of a gain beside the least, from x(0) or from the unit vector that shows most."""
+    """Return the poles and the cost of a gain beside the least, from x(0) or from the unit vector that shows most.
+
+    Another factor before the cost than ½ is told: the student may have taken it where the question names none.
+    """
     found = judges.costs(weights, K)
     if found is None or (x0 is not None and x0.free_symbols):
         return None
@@ -27,4 +30,5 @@ def dearer(weights: judges.Weights, K: Any, x0: Any, factor: Any) -> Reason | No
         return None
     found_poles = spectrum(weights.A - weights.B * K)
     told = {"cost": short(sp.Float(cost) * factor), "least": short(sp.Float(best) * factor)}
+    told["factor"] = None if factor == sp.Rational(1, 2) else factor
     return Reason("meanings/dearer", {"found": found_poles, "start": sp.ImmutableMatrix(start), **told})
