@@ -6,6 +6,7 @@ What leads to them is told in `solver.classroom.mistakes`. Several may go by one
 from __future__ import annotations
 
 from solver.derivation.mistakes import Slip
+from solver.words import Phrase
 
 SIGN = Slip("sign", "the sign is reversed")
 SIGN_OF_ENTRY = Slip("sign", "the sign of an entry is reversed")
@@ -38,3 +39,8 @@ USUAL = (
     WRITTEN_AS_COLUMNS, MULTIPLICITY, HALF, DOUBLE, UPSIDE_DOWN, WITHOUT_POWER, EXPONENTS, DEGREES, WITHOUT_A_TERM,
     INTERMEDIATE, CUT_OFF, POLES_REVERSED, POLES_SQUARED, WITHOUT_D, A_TRANSPOSED, B_REVERSED, OTHER_TIME,
 )  # fmt: skip
+
+
+def of_another_answer(name: str) -> Slip:
+    """The value of another answer to the same question, which may be found before this one or after it."""
+    return Slip(INTERMEDIATE.name, Phrase("it is the value of another answer, {name}", name=name))

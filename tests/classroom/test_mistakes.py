@@ -239,3 +239,22 @@ def test_a_whole_number_in_a_matrix_of_one_entry_may_be_there_by_chance(name, va
     found = verdict(ONE_STATE, "a", name, value)
     assert found.verdict == "wrong"
     assert not found.mistake
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [("en", "it is the value of another answer, K"), ("de", "es ist der Wert einer anderen Antwort, K")],
+)
+def test_the_value_of_an_answer_that_is_found_later_is_no_intermediate_result(language, words):
+    # P = 2 + √5 and after it K = 2P/(1 + P) = (1 + √5)/2
+    text = f"""
+language: {language}
+find: {{h: {{task: lqr, Q: [[1]], R: 1, system: {{time: discrete, A: [[2]], B: [[1]]}}}}}}
+"""
+    found = marked(text, "answers: {h: {P: 1.618}}")["h"].answers["P"]
+    assert (found.mistake, found.reason) == ("intermediate", words)
+
+
+def test_an_intermediate_result_that_is_no_answer_is_still_called_one():
+    found = marked(PLANT, "answers: {order: {A: [[2, -1], [-1, 1]]}}")["order"].answers["A"]  # the inverse of T
+    assert (found.mistake, found.reason) == ("intermediate", "it is an intermediate result: the last step is missing")

@@ -23,6 +23,7 @@ from solver.classroom.mistakes.values import TRANSFORMED, Case
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
 from solver.derivation import Answers, Attempt, Given, PartResult, Slip, Unsolved
+from solver.derivation import usual_mistakes as usual
 from solver.lazy import exact
 from solver.patches import Program
 from solver.problem.model import Part
@@ -60,7 +61,8 @@ def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
             return  # it is wrong beside the other values only, as the order of vectors is
         if _is_right(case.question, case.name, each):
             yield slip
-    yield from _leading_to(case, submitted, ((slip, partial(values, case)) for slip, values in TRANSFORMED))
+    for slip in _leading_to(case, submitted, ((slip, partial(values, case)) for slip, values in TRANSFORMED)):
+        yield _of_another(case, submitted) or slip if slip is usual.INTERMEDIATE else slip
     yield from (slip for slip, holds in ALIKE if _holds(holds, submitted, case))
     for slip, found in changed_questions(case.part, case.earlier):
         if _answers_changed(case, submitted, *found):
@@ -93,6 +95,14 @@ def _leading_to(
             if _reproduces(submitted, value) and not _is_right(case.question, case.name, Submitted(value, value)):
                 yield slip
                 break
+
+
+def _of_another(case: Case, submitted: Submitted) -> Slip | None:
+    """The slip of a value found on the way that is another answer's: it need not have been found before this one."""
+    for name, ours in case.question.ours.items():
+        if name != case.name and type(ours) is type(case.ours) and _reproduces(submitted, ours):
+            return usual.of_another_answer(name)
+    return None
 
 
 def _telling(value: Any) -> bool:
