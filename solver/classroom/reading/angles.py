@@ -12,6 +12,7 @@ from solver.classroom.reading.brackets import matching, split
 from solver.classroom.submitted import Decimal
 
 HALF_TURN = sp.Integer(180)
+TURN = 2 * sp.pi
 CONVERTED = 50
 """A factor beyond it turns radians into degrees already: 57.3 arctan(ω)."""
 _OF_TWO = re.compile(r"(?<![A-Za-z_])(?:a|arc)tan2\s*\(")
@@ -47,7 +48,8 @@ def with_one_argument(text: str) -> str:
 def readings_in_degrees(value: Any, decimals: Mapping[sp.Symbol, Decimal]) -> list[Any]:
     """Return what an angle may be in degrees, the likeliest first.
 
-    A plain number is in degrees, beside radians too. Letters beside them, a dead time, may be in radians like them.
+    A plain number is in degrees, beside radians too. Letters beside them, a dead time, may be in radians like them, and
+    numbers of less than a turn, π/2 - 1.
     """
     if not value.has(sp.pi, *_ANGLES):
         return [value]
@@ -56,8 +58,14 @@ def readings_in_degrees(value: Any, decimals: Mapping[sp.Symbol, Decimal]) -> li
     if not any(turned):
         return [value]
     each = [_in_degrees(term) if turn else term for term, turn in zip(terms, turned, strict=True)]
-    free = [term.free_symbols - set(decimals) for term, turn in zip(terms, turned, strict=True) if not turn]
-    return [sp.Add(*each), *([_in_degrees(value)] if any(free) else [])]
+    beside = [_numbered(term, decimals) for term, turn in zip(terms, turned, strict=True) if not turn]
+    either = any(term.free_symbols or abs(term) < TURN for term in beside)
+    return [sp.Add(*each), *([_in_degrees(value)] if either else [])]
+
+
+def _numbered(value: Any, decimals: Mapping[sp.Symbol, Decimal]) -> Any:
+    """A value with its decimals as they were written."""
+    return value.xreplace({symbol: decimal.number for symbol, decimal in decimals.items()})
 
 
 def _in_degrees(value: Any) -> Any:
@@ -71,6 +79,5 @@ def _is_in_radians(term: Any, decimals: Mapping[sp.Symbol, Decimal]) -> bool:
     scaled = bare.xreplace({each: _SCALE * each for each in (sp.pi, *angles.values())})
     if scaled / bare != _SCALE:
         return False
-    factor = bare.xreplace({**dict.fromkeys((sp.pi, *angles.values()), sp.Integer(1)),
-                            **{symbol: decimal.number for symbol, decimal in decimals.items()}})  # fmt: skip
+    factor = _numbered(bare.xreplace(dict.fromkeys((sp.pi, *angles.values()), sp.Integer(1))), decimals)
     return not (factor.is_number and angles and abs(factor) > CONVERTED)

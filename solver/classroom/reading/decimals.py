@@ -9,7 +9,7 @@ import sympy as sp
 from solver.classroom.submitted import Decimal
 from solver.problem.expressions.tokens import Kind, is_decimal, tokenize
 
-_WHOLE = re.compile(r"\s*[-+−±∓]?\s*(?:\d{1,3}\s*[-+−]\s*)*[1-9]\d{1,2}\s*")
+_WHOLE = re.compile(r"\s*[-+−±∓]?\s*(?:\d{1,3}\s*[-+−]\s*)*[1-9]\d{0,2}\s*")
 
 
 def decimals_of(text: str, count: int, *, whole: bool = False) -> dict[int, tuple[sp.Symbol, Decimal]]:

@@ -83,7 +83,7 @@ def told_otherwise(text: str, name: str, ours: Any) -> str:
         return _MODE.sub(_exponent, text)
     if not symbols_of(ours) and isinstance(ours, sp.Expr | list):
         text = _VALUE_OF.sub("", _AT.sub("", text, count=1))
-    if name in LIMITS or name == "dc_gain" or name.endswith(("_constant", "_margin", "_crossover")):
+    if name in LIMITS or name == "dc_gain" or name.endswith(("_constant", "_margin", "_margin_db", "_crossover")):
         text = _IN_DECIBELS.sub("", text) if name in ("dc_gain", "gain_margin") else text
         return "∞" if _UNBOUNDED.fullmatch(text) or _NONE_INFINITE.fullmatch(text) else _INFINITE.sub(r"\1", text)
     if name in _TOLD:

@@ -63,7 +63,9 @@ def test_an_arctangent_of_two_arguments_is_one_of_one(y, x):
         ("c", "departure_angles", "±144.7°", "correct"),
         ("c", "departure_angles", "90° + arctan(√2)", "correct"),
         ("c", "departure_angles", "±54.7°", "wrong"),
-        ("d", "phase", "-3 - arctan(1.5)", "wrong"),
+        ("d", "phase", "-3 - arctan(1.5)", "correct"),
+        ("d", "phase", "-4 - arctan(1.5)", "not judged"),
+        ("b", "phase", "-90 - arctan(1.5)", "correct"),
         ("d", "phase", "-171.9° - arctan(1.5)", "correct"),
     ],
 )

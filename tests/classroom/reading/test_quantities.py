@@ -35,7 +35,7 @@ def test_a_name_of_the_problem_is_no_power_of_ten():
 
 
 @pytest.mark.parametrize(
-    ("text", "count"), [("52", 1), ("-127", 1), ("180 - 128", 1), ("9", 0), ("0", 0), ("52/2", 0), ("-90 - atan(2)", 0)]
+    ("text", "count"), [("52", 1), ("-127", 1), ("180 - 128", 1), ("9", 1), ("0", 0), ("52/2", 0), ("-90 - atan(2)", 0)]
 )
 def test_whole_degrees_are_rounded_where_nothing_else_stands_there(text, count):
     found = list(decimals_of(text, 0, whole=True).values())
@@ -174,3 +174,7 @@ def test_long_texts_of_words_are_read_without_going_back_and_forth(text):
     """Patterns that could part a run of letters in many ways would not come to an end here."""
     assert fitting(text, ("stable",)) == []
     assert premise(text) == ""
+
+
+def test_an_infinite_margin_has_no_unit_in_decibels_either():
+    assert told_otherwise("inf dB", "gain_margin_db", sp.oo) == "inf"

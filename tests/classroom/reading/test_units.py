@@ -41,4 +41,5 @@ def test_a_unit_of_another_kind_is_refused(text, unit):
 
 def test_a_list_in_brackets_with_its_unit():
     assert inside("[1, 10, 50] rad/s", "rad/s") == "1, 10, 50 rad/s"
+    assert inside("[1; 10] rad/s", "rad/s") == "1; 10 rad/s"
     assert inside("[1, 10] a", "rad/s") == "[1, 10] a"
