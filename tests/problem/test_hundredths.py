@@ -10,7 +10,6 @@ from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
 
-
 ALL = ("G", "poles", "zeros")
 
 
