@@ -53,7 +53,7 @@ _BELOW = re.compile(
 )
 """What MATLAB says below a transfer function, or how a value was checked."""
 _SLASH = re.compile(r"\s//?\s")
-_WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{3,}")
+_WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{2,}")
 
 
 def prepared(node: Node, ours: Any, name: str) -> Node:
