@@ -248,3 +248,36 @@ def test_a_law_of_one_state_and_a_weak_extremum_are_read(part, name, value, righ
         f"  b: {{task: extremal, system: {{functional: {functional}}}}}\n"
     )
     assert (verdict(text, part, name, value).verdict == "correct") is right
+
+
+MOTION = """
+title: T
+find:
+  l:
+    task: extremal
+    system: {functional: {integrand: "x'^2 + 4x^2", from: 0, to: 1, ends: {x: [0, 1]}}}
+    answers: [equations]
+  m:
+    task: equations_of_motion
+    system: {lagrangian: {coordinates: [x_1, x_2], kinetic: "x_1'^2/2 + x_2'^2/2", potential: "x_1^2/2 + x_1 x_2"}}
+    answers: [equations]
+  r:
+    task: routh_hurwitz
+    system: {A: [[0, 1, 0], [0, 0, 1], [-6, -11, -6]]}
+    answers: [right_half_plane_roots]
+"""
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value", "said"),
+    [
+        ("l", "equations", "x'' = 4x", "correct"), ("l", "equations", "2x'' = 8x", "correct"),
+        ("l", "equations", "x'' = 5x", "wrong"), ("m", "equations", "x1'' = -x1 - x2, x2'' = -x1", "correct"),
+        ("m", "equations", "d²x1/dt² + x1 + x2 = 0, d²x2/dt² + x1 = 0", "correct"),
+        ("m", "equations", "x1'' = -x1 - x2, x2'' = x1", "wrong"),
+        ("r", "right_half_plane_roots", "none, all are stable", "correct"),
+        ("r", "right_half_plane_roots", "none, one is unstable", "not judged"),
+    ],
+)  # fmt: skip
+def test_a_factor_is_no_multiplicity_and_an_index_needs_no_sign(part, name, value, said):
+    assert verdict(MOTION, part, name, f'"{value}"').verdict == said

@@ -45,6 +45,13 @@ _TURNS = re.compile(
 _REPEATED = re.compile(
     r"\s*(?:(?:type|typ|rank|rang)[\s-]+)?(\w+)\s*\(\s*(\w+)\s+([^():]+)(?::[^()]*)?\)\s*\.?", re.IGNORECASE
 )
+_ALL_STABLE = re.compile(
+    r"\s*(none|no roots?|0|zero|keine|null)\s*[,;(–—]\s*(?:so |hence |i\.e\. |it is |the system is |all |alle )*"
+    r"(?:are |sind |ist )?(?:asymptotically |asymptotisch )?(?:stable|stabil|in the left half[- ]plane|links)"
+    r"\s*\)?\s*\.?",
+    re.IGNORECASE,
+)
+"""No root to the right, and what follows from it."""
 _ABOUT_MINUS_ONE = re.compile(
     r"\s+(?:of|around|about|um)\s+(?:the point\s+|den punkt\s+)?\(?[-−]1(?:\s*[+,|]\s*j?0)?\)?\s*\.?$", re.IGNORECASE
 )
@@ -172,7 +179,9 @@ def _turns(text: str) -> str | None:
 
 
 def _bare(text: str, name: str) -> str:
-    """A type in digits, encirclements without the point that they go round."""
+    """A type in digits, encirclements without the point they go round, no root to the right without what follows."""
+    if name == "right_half_plane_roots" and _ALL_STABLE.fullmatch(text):
+        return "0"
     if name == "system_type" and (found := _TYPE.fullmatch(text)):
         return _ROMAN.get(found[1].upper(), found[1])
     if name == "system_type" and (found := _TYPE_BEHIND.fullmatch(text)):

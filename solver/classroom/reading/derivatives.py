@@ -19,6 +19,7 @@ _TERM = re.compile(r"\s*(?P<factor>[-+−]?[^'′″’]*?)(?P<x>[^\W\d_]\w*)(?P
 _SUMMAND = re.compile(r"[-+−]?[^-+−]+")
 _PRIMES = re.compile(r"([^\W\d_]\w*)(['′″’]+)")
 _SIGNAL = re.compile(r"(?<![^\W\d])([^\W\d_]\w*)\(\s*[tk]\s*\)")
+_INDEX = re.compile(r"(?<=[^\W\d_])(?=\d)")
 _NAMES = re.compile(r"[^\W\d_]\w*")
 _VARIATION = re.compile(r"(?:δ|(?<![A-Za-z_])delta[ _*])\s*([^\W\d_](?:\w*\d)?(?:_d?dot)?)(?![^\W_])")
 _DOTTED = re.compile(r"([^\W\d_])((?:_d*dot)?)")
@@ -46,16 +47,14 @@ def with_derivatives(text: str, names: Names) -> str:
         if alone := only_entry(found[1] + ending, names.symbols):
             return f" {alone} "
         for at in range(len(found[1])):
-            name = _latin(found[1][at:]) + ending
-            if name not in names.symbols and (squeezed := name.replace("_", "", 1)) in names.symbols:
-                name = squeezed
+            name = _known(_latin(found[1][at:]) + ending, names)
             if name in names.symbols:
                 return f" {found[1][:at]} {name}" if at or name != found[1] + ending else name
         return found[0]
 
     def quotient(found: re.Match[str]) -> str:
         name = _latin(found["x"] or found["y"]) + ("_ddot" if found["above"] or found["twice"] else "_dot")
-        meant = only_entry(name, names.symbols) or name
+        meant = only_entry(name, names.symbols) or _known(name, names)
         return f"({meant})" if meant in names.symbols else found[0]
 
     def signal(found: re.Match[str]) -> str:
@@ -64,6 +63,12 @@ def with_derivatives(text: str, names: Names) -> str:
 
     text = _QUOTIENT.sub(quotient, _of_sums(text, names))
     return _SIGNAL.sub(signal, _PRIMES.sub(derivative, text))
+
+
+def _known(name: str, names: Names) -> str:
+    """A name as the problem has it, with or without a sign before its index: x1_dot for x_1_dot; else as it is."""
+    spellings = (name, name.replace("_", "", 1), _INDEX.sub("_", name, count=1))
+    return next((each for each in spellings if each in names.symbols), name)
 
 
 def only_entry(name: str, known: Mapping[str, object]) -> str:

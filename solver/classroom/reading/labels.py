@@ -28,7 +28,8 @@ _RANGE = re.compile(
     r"\b(?:[tkn]\s*(?:>=?|≥|\\geq?\b)\s*0|[kn]\s*=\s*0\s*,\s*1\s*(?:,\s*2\s*)?,?\s*(?:\.{3}|…|\\l?dots))\s*\)?\s*[.$]?\s*$)"
 )
 _MULTIPLE = re.compile(
-    r"^(.*?[^\s(,+*/=−-])\s*(?:\(?\s*(?:(?:is|ist)\s+(?:an?|eine?)\s+)?(?:double(?: root| pole| zero| eigenvalue)?|twice"
+    r"^(.*?[^\s(,+*/=−-])\s*"
+    r"(?:\(?\s*(?:(?:is|ist)\s+(?:an?|eine?)\s+)?(?:double(?: root| pole| zero| eigenvalue)?|twice"
     r"|doppelt(?:er? (?:pol|eigenwert|nullstelle))?|zweifach|triple|dreifach|repeated twice"
     r"|once|simple|einfach"
     r"|(?:with |mit |of )?(?:(?:algebraic|alg\.?|algebraische?) )?"
