@@ -134,7 +134,7 @@ def adds_up_to_the_image(given: Given[StateSpace, InverseZOptions], answers: Ans
     total = answers["partial_fractions"]
     yield numeric.check_claim(Claim(total, given.options.F), "the partial fractions add up to $F(z)$")
     holds = judges.are_partial(total, sp.Symbol("z"), sampled=True)
-    yield Check.that("each term is a partial fraction", "factors of the denominators", holds)
+    yield Check.that("each term is a partial fraction", "sympy.factor_list", holds)
 
 
 name_mistakes_of_sequences(inverse_z_transform)
