@@ -1,6 +1,6 @@
 """Shared by all tests: hypothesis keeps no clock, and what TeX reads is skipped where there is none.
 
-Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter of the examples, `third` a third,
+Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a sixth of the examples, `third` a third,
 `all` tries them all.
 """
 
@@ -36,11 +36,13 @@ every = settings(
     max_examples=ALL,
     phases=UNTRACED,
 )
-fast = settings(every, max_examples=ALL // 4)
+fast = settings(every, max_examples=ALL // 6)
 settings.register_profile("all", every)
 settings.register_profile("third", settings(every, max_examples=ALL // 3))
 settings.register_profile("fast", fast)
-settings.register_profile("mutants", fast, derandomize=True, database=None, phases=(Phase.explicit, Phase.generate))
+settings.register_profile(
+    "mutants", every, max_examples=ALL // 4, derandomize=True, database=None, phases=(Phase.explicit, Phase.generate)
+)
 settings.load_profile("fast")
 
 

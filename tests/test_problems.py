@@ -60,7 +60,12 @@ OPEN = {"no solution is missing"}
 """Of a Riccati equation with letters others may be real for some of their values only: that is said, not decided."""
 
 
-@pytest.mark.parametrize(**by_problem(PROBLEMS))
+COURSE = [path for path in PROBLEMS if "course" in path.parts]
+QUICK = [*EXAMPLES, *[path for path in PROBLEMS if path not in EXAMPLES][::3]]
+"""The others are solved and verified in CI."""
+
+
+@pytest.mark.parametrize(**by_problem(PROBLEMS, QUICK))
 def test_the_problem_is_verified(path):
     for part in solution_of(path).parts:
         if (reason := IMPOSSIBLE.get((path.stem, part.id))) is not None:
@@ -72,7 +77,6 @@ def test_the_problem_is_verified(path):
         assert {check.claim for check in failed} <= OPEN
 
 
-COURSE = [path for path in PROBLEMS if "course" in path.parts]
 TWICE = 10
 """The percentage of a page that may be told twice."""
 
@@ -102,7 +106,7 @@ def test_checks_cite_steps_that_the_page_shows(path):
             assert all(1 <= number <= len(part.steps) for number in cited)
 
 
-@pytest.mark.parametrize(**by_problem(PROBLEMS))
+@pytest.mark.parametrize(**by_problem(PROBLEMS, QUICK))
 def test_no_check_is_left_out_for_want_of_a_rule(path):
     """What can not be judged is told with its reason; that the oracle was never taught an operation is no reason."""
     wanting = [check for part in solution_of(path).parts for check in part.checks if str(NoRule("")) in check.reason]
